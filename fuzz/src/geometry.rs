@@ -5,7 +5,8 @@ use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, TwoSided, Wide};
-use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray, Slabs, Triangle, Vector};
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::{Aabb, Mesh, Ray, Triangle, Vector};
 use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 
 use super::draw::Draw;
@@ -63,21 +64,16 @@ pub(crate) fn nearest(bytes: &[u8]) {
     let (k, radius) = (draw.below(6) as usize, if draw.coin() { draw.float().abs() } else { f32::INFINITY });
     let point = draw.point();
     let Some(mesh) = draw.mesh(9) else { return };
-    all_near::<Exact, Directed, _>(&mesh, point, radius, k);
+    all_near(&mesh, point, radius, k);
     // Numbers of the mesh, and others.
     let mut wider = |point: Vec3| if draw.coin() { point.widen() } else { draw.point_64() };
     let (vertices, point) = (mesh.vertices().iter().map(|&vertex| wider(vertex)).collect(), wider(point));
     let radius = if draw.coin() { draw.double().abs() } else { f64::INFINITY };
     let Ok(mesh) = Mesh::new(vertices, mesh.triangles().to_vec()) else { return };
-    all_near::<Exact64, Wide, _>(&mesh, point, radius, k);
+    all_near(&mesh, point, radius, k);
 }
 
-fn all_near<K, B, V>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize)
-where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
-    B: Slabs<Vector = V>,
-    V: Vector,
-{
+fn all_near<V: Precision>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) {
     let sah = SahOptions { max_leaf: 1, ..SahOptions::default() };
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     for prim in 0..mesh.triangles().len() {
@@ -88,7 +84,7 @@ where
         let options = BuildOptions { builder, sah, spatial, reinsertion: 0, ..BuildOptions::default() };
         let bvh = right(options.build(mesh), "a tree without limits");
         right(
-            check_nearest::<K, B, V>(&bvh, mesh, point, radius, k),
+            check_nearest(&bvh, mesh, point, radius, k),
             format_args!("{builder}: {mesh:?} {point:?} {radius:?} {k}"),
         );
     }

@@ -5,9 +5,8 @@ use glam::DVec3;
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, SahOptions, SpatialOptions, WideBvh};
 use stackless_bvh::generate::Source;
-use stackless_bvh::geom::kernel::{Exact, Exact64};
-use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{AffineMap, Ends, Mesh, Ray, Real, Triangle, Vector};
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::{AffineMap, Ends, Mesh, Ray, Real, Triangle};
 use stackless_bvh::hash::checksum;
 use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, Tracer};
 use stackless_bvh::traverse::Method;
@@ -33,7 +32,7 @@ pub(crate) fn builders(bytes: &[u8]) {
         let options = BuildOptions { builder, ..options };
         if let Some(bvh) = built(options.build(&mesh), options) {
             right(
-                check_tree::<Exact, Directed, _>(&bvh, &mesh, &rays),
+                check_tree(&bvh, &mesh, &rays),
                 format_args!("{options:?}\n{mesh:?}\n{rays:?}"),
             );
         }
@@ -46,7 +45,7 @@ fn builders_64(draw: &mut Draw<'_>, options: BuildOptions) {
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..options };
         if let Some(bvh) = built(options.build(&mesh), options) {
-            right(check_tree::<Exact64, Wide, _>(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
+            right(check_tree(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
         }
     }
 }
@@ -67,7 +66,7 @@ pub(crate) fn refit(bytes: &[u8]) {
     let Some(mut bvh) = built(options.build(&mesh), options) else { return };
     let before = format!("{bvh:?}");
     if bvh.refit(&moved).is_ok() {
-        right(check_tree::<Exact, Directed, _>(&bvh, &moved, &rays), format_args!("{mesh:?}\n{moved:?}\n{rays:?}"));
+        right(check_tree(&bvh, &moved, &rays), format_args!("{mesh:?}\n{moved:?}\n{rays:?}"));
     } else {
         assert_eq!(format!("{bvh:?}"), before, "a refusal changes nothing");
     }
@@ -94,7 +93,7 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
     let file = if kind == 2 { file } else { sealed(file) };
     if let Ok(bvh) = Bvh::<Triangle>::from_bytes(&file) {
         assert!(bvh.to_bytes() == file, "another file than was read: {file:?}");
-        right(check_held::<Exact, Directed, _>(&bvh, &rays), format_args!("{file:?}\n{rays:?}"));
+        right(check_held(&bvh, &rays), format_args!("{file:?}\n{rays:?}"));
     }
     if let Ok(wide) = WideBvh::<8>::from_bytes(&file) {
         assert!(wide.to_bytes() == file, "another file than was read: {file:?}");
@@ -125,7 +124,7 @@ pub(crate) fn instances(bytes: &[u8]) {
 }
 
 /// In either precision: what draws a mesh, a number, and a ray at one of some triangles.
-fn placed<'a, V: Vector>(
+fn placed<'a, V: Precision>(
     draw: &mut Draw<'a>,
     mesh: impl Fn(&mut Draw<'a>) -> Option<Mesh<V>>,
     number: impl Fn(&mut Draw<'a>) -> V::Real,

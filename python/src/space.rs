@@ -1,14 +1,12 @@
 //! What differs between scenes in single and in double precision.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use numpy::Element;
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, WideBvh};
-use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::slabs::Wide;
-use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Triangle, Vector};
-use stackless_bvh::trace::{BinaryTracer, Hit, Near, Tracer};
-use stackless_bvh::traverse::Method;
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh};
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
+use stackless_bvh::trace::{Hit, Near, Tracer};
 
 use crate::errors::{failed, of_refit, refused};
 
@@ -69,17 +67,23 @@ pub(crate) trait Space: Sized + Send + Sync {
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
 
-impl Space for WideBvh {
-    type Vector = Vec3;
-    type Real = f32;
-    const DTYPE: &'static str = "float32";
+/// A hierarchy over a mesh in double precision.
+pub(crate) type Double = WideBvh<8, DVec3>;
 
-    fn build(mesh: &Mesh, (builder, reinsertion): (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
+impl<V: Precision + Stored> Space for WideBvh<8, V>
+where
+    V::Real: Coordinate,
+{
+    type Vector = V;
+    type Real = V::Real;
+    const DTYPE: &'static str = if V::REAL_BYTES == 4 { "float32" } else { "float64" };
+
+    fn build(mesh: &Mesh<V>, (builder, reinsertion): (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
         let options = BuildOptions { builder, reinsertion, ..BuildOptions::fine() };
         Self::of(&options.build_watched(mesh, tell).map_err(of_build)?).map_err(failed)
     }
 
-    fn refit(&mut self, mesh: &Mesh) -> PyResult<()> {
+    fn refit(&mut self, mesh: &Mesh<V>) -> PyResult<()> {
         self.refit(mesh).map_err(of_refit)
     }
 
@@ -91,105 +95,34 @@ impl Space for WideBvh {
         self.to_bytes()
     }
 
-    fn from_bytes(bytes: &[u8], mesh: &Mesh) -> PyResult<Self> {
+    fn from_bytes(bytes: &[u8], mesh: &Mesh<V>) -> PyResult<Self> {
         let bvh = Self::from_bytes(bytes).map_err(refused)?;
         bvh.validate(mesh).map_err(refused)?;
         Ok(bvh)
     }
 
-    fn closest(&self, rays: &[Ray]) -> Answers<Option<Hit>> {
+    fn closest(&self, rays: &[Ray<V>]) -> Answers<Option<Hit<V::Real>>> {
         Tracer::new(self).closest_parallel(rays)
     }
 
-    fn any(&self, rays: &[Ray]) -> Answers<bool> {
+    fn any(&self, rays: &[Ray<V>]) -> Answers<bool> {
         Tracer::new(self).any_parallel(rays)
     }
 
-    fn all(&self, rays: &[Ray]) -> Answers<Vec<Hit>> {
+    fn all(&self, rays: &[Ray<V>]) -> Answers<Vec<Hit<V::Real>>> {
         Tracer::new(self).all_parallel(rays)
     }
 
-    fn crossings(&self, rays: &[Ray]) -> Answers<u32> {
+    fn crossings(&self, rays: &[Ray<V>]) -> Answers<u32> {
         Tracer::new(self).crossings_parallel(rays)
     }
 
-    fn nearest(&self, balls: &[Ball]) -> Answers<Option<Near>> {
+    fn nearest(&self, balls: &[Ball<V>]) -> Answers<Option<Near<V>>> {
         Tracer::new(self).nearest_parallel(balls)
     }
 
-    fn nearest_k(&self, ball: &Ball, k: usize) -> Vec<Near> {
+    fn nearest_k(&self, ball: &Ball<V>, k: usize) -> Vec<Near<V>> {
         Tracer::new(self).nearest_k(ball, k)
-    }
-}
-
-/// A hierarchy over a mesh in double precision, which only binary ones are.
-pub(crate) struct Double {
-    tracer: BinaryTracer<Bvh<Triangle<DVec3>>, Exact64, Wide>,
-}
-
-impl Double {
-    fn of(bvh: Bvh<Triangle<DVec3>>) -> PyResult<Self> {
-        BinaryTracer::with_tests(bvh, Method::default()).map(|tracer| Self { tracer }).map_err(failed)
-    }
-}
-
-impl Space for Double {
-    type Vector = DVec3;
-    type Real = f64;
-    const DTYPE: &'static str = "float64";
-
-    fn build(
-        mesh: &Mesh<DVec3>,
-        (builder, reinsertion): (Builder, u32),
-        tell: &(dyn Fn(usize) + Sync),
-    ) -> PyResult<Self> {
-        let options = BuildOptions { builder, reinsertion, ..BuildOptions::default() };
-        Self::of(options.build_watched(mesh, tell).map_err(of_build)?)
-    }
-
-    fn refit(&mut self, mesh: &Mesh<DVec3>) -> PyResult<()> {
-        let mut bvh = self.tracer.bvh().clone();
-        bvh.refit(mesh).map_err(of_refit)?;
-        *self = Self::of(bvh)?;
-        Ok(())
-    }
-
-    fn bytes(&self) -> usize {
-        self.tracer.bvh().bytes()
-    }
-
-    fn to_bytes(&self) -> Vec<u8> {
-        self.tracer.bvh().to_bytes()
-    }
-
-    fn from_bytes(bytes: &[u8], mesh: &Mesh<DVec3>) -> PyResult<Self> {
-        let bvh = Bvh::from_bytes(bytes).map_err(refused)?;
-        stackless_bvh::bvh::validate(&bvh, mesh).map_err(refused)?;
-        Self::of(bvh)
-    }
-
-    fn closest(&self, rays: &[Ray<DVec3>]) -> Answers<Option<Hit<f64>>> {
-        self.tracer.closest_parallel(rays)
-    }
-
-    fn any(&self, rays: &[Ray<DVec3>]) -> Answers<bool> {
-        self.tracer.any_parallel(rays)
-    }
-
-    fn all(&self, rays: &[Ray<DVec3>]) -> Answers<Vec<Hit<f64>>> {
-        self.tracer.all_parallel(rays)
-    }
-
-    fn crossings(&self, rays: &[Ray<DVec3>]) -> Answers<u32> {
-        self.tracer.crossings_parallel(rays)
-    }
-
-    fn nearest(&self, balls: &[Ball<DVec3>]) -> Answers<Option<Near<DVec3>>> {
-        self.tracer.nearest_parallel(balls)
-    }
-
-    fn nearest_k(&self, ball: &Ball<DVec3>, k: usize) -> Vec<Near<DVec3>> {
-        self.tracer.nearest_k(ball, k)
     }
 }
 

@@ -90,7 +90,7 @@ impl<V: Vector> Measure<V> {
     }
 
     /// A distance from those units.
-    pub(crate) fn from_frame(&self, distance: f32) -> V::Real {
+    pub(crate) fn out_of_frame(&self, distance: f32) -> V::Real {
         V::Real::rounded(f64::from(distance) * self.unit)
     }
 

@@ -9,7 +9,9 @@ use super::truth::Number;
 use super::{Aabb, Frame, kernel};
 
 /// A position or direction, in single or in double precision.
-pub trait Vector: Copy + PartialEq + Debug + Send + Sync + Sub<Output = Self> + private::Sealed + 'static {
+pub trait Vector:
+    Copy + PartialEq + Debug + Send + Sync + From<Vec3> + Sub<Output = Self> + private::Sealed + 'static
+{
     /// A coordinate.
     type Real: Real;
 

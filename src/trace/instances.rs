@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use crate::bvh::{Bvh, WideBvh};
+use crate::bvh::Bvh;
 use crate::geom::truth::{Number, Point};
 use crate::geom::{AffineMap, Approach, EnclosedRay, ExactPoint, ExactRay, Region, Triangle, Vector};
 use crate::trace::level::Level;
@@ -33,7 +33,7 @@ use crate::traverse::{Method, Unfit};
 use crate::wide;
 use assembly::{Group, Part};
 use walk::{Found, Instances, Search, Triangles, walk};
-use wide_walk::WideLevel;
+use wide_walk::{WideLevel, WideObject};
 
 /// Answers queries over an object of an assembly by one of the traversals. It shares the hierarchies with the assembly,
 /// and borrows nothing.
@@ -166,7 +166,7 @@ impl<V: Vector> InstanceTracer<V> {
     pub fn with_wide(mut self, method: wide::Method) -> Result<Self, InstanceError> {
         for (object, stage) in self.stages.iter_mut().enumerate() {
             if let Some(Stage::Wide(bvh, level)) = stage {
-                *level = WideLevel::new(bvh, method).map_err(|unfit| InstanceError::UnfitWide { object, unfit })?;
+                *level = bvh.level(method).map_err(|unfit| InstanceError::UnfitWide { object, unfit })?;
             }
         }
         Ok(self)
@@ -263,7 +263,7 @@ impl<V: Vector> InstanceTracer<V> {
             let own = match stage {
                 None => 0,
                 Some(Stage::Mesh(bvh, level)) => level.state_bytes(bvh) + InstanceTracer::RAY_BYTES,
-                Some(Stage::Wide(bvh, level)) => level.state_bytes(bvh) + InstanceTracer::RAY_BYTES,
+                Some(Stage::Wide(bvh, level)) => bvh.state_bytes(level) + InstanceTracer::RAY_BYTES,
                 Some(Stage::Group(group, level)) => {
                     let inner = group.instances.iter().map(|instance| bytes[instance.object.index()]).max();
                     level.state_bytes(&group.bvh) + InstanceTracer::RAY_BYTES + inner.unwrap_or(0)
@@ -289,7 +289,7 @@ impl<V: Vector> InstanceTracer<V> {
         let triangles = Triangles::new(self, &ray, region);
         match stage {
             Stage::Mesh(bvh, level) => walk(bvh, level, &ray, triangles, search),
-            Stage::Wide(bvh, level) => level.run(bvh, &ray, triangles, search),
+            Stage::Wide(bvh, level) => bvh.run(level, &ray, triangles, search),
             Stage::Group(group, level) => {
                 walk(&group.bvh, level, &ray, Instances { tracer: self, placed: &group.instances, ray }, search);
             }
@@ -331,7 +331,7 @@ impl<V: Vector> InstanceTracer<V> {
 #[derive(Debug)]
 enum Stage<V: Vector> {
     Mesh(Arc<Bvh<Triangle<V>>>, Level),
-    Wide(Arc<WideBvh>, WideLevel),
+    Wide(Arc<dyn WideObject<V>>, WideLevel),
     Group(Arc<Group<V::Real>>, Level),
 }
 
@@ -353,7 +353,7 @@ impl<V: Vector> Stage<V> {
                 Self::Mesh(Arc::clone(bvh), level)
             }
             Part::Wide(bvh) => {
-                let level = WideLevel::new(bvh, wide::Method::default());
+                let level = bvh.level(wide::Method::default());
                 Self::Wide(Arc::clone(bvh), level.map_err(|unfit| InstanceError::UnfitWide { object, unfit })?)
             }
             Part::Group(group) => {

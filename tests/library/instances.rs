@@ -11,6 +11,7 @@ use scenes::{Kind, Scene, narrow, unit, vector};
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{Rng, Source, stress};
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{AffineMap, Ends, ExactRay, Mesh, Ray, Real, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
@@ -21,23 +22,23 @@ fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
     BuildOptions { builder, sah: SahOptions { max_leaf, ..SahOptions::default() }, ..BuildOptions::default() }
 }
 
-fn hierarchies<V: Vector>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
+fn hierarchies<V: Precision>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
     Hierarchies::new(&scene.shapes, options(builder, max_leaf), None).expect("trees")
 }
 
 /// With wide meshes.
-fn wide<V: Vector>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
+fn wide<V: Precision>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
     let wide = WideOptions { max_leaf, ..WideOptions::default() };
     Hierarchies::new(&scene.shapes, options(builder, max_leaf), Some(&wide)).expect("trees")
 }
 
-fn assembly<V: Vector>(built: &Hierarchies<V>, scene: &Scene<V>) -> (Assembly<V>, Object) {
+fn assembly<V: Precision>(built: &Hierarchies<V>, scene: &Scene<V>) -> (Assembly<V>, Object) {
     let (assembly, objects) = built.assembly(&scene.shapes).expect("groups");
     (assembly, *objects.last().expect("a shape"))
 }
 
 /// Draws up to `n` rays: at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
-fn rays<V: Vector>(flat: &Flat<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
+fn rays<V: Precision>(flat: &Flat<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
     let corners: Vec<_> = flat.corners().map(|corners| corners.map(Vector::widen)).collect();
     let all = corners.iter().flatten();
     let (lo, hi) = all.fold((DVec3::MAX, DVec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
@@ -76,7 +77,7 @@ fn rays<V: Vector>(flat: &Flat<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
 }
 
 /// The same ray, ending and beginning at a hit: where rounding must not decide.
-fn cut<V: Vector>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<Item = Ray<V>> + use<V> {
+fn cut<V: Precision>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<Item = Ray<V>> + use<V> {
     let (t, zero, infinity) = (hit.t, V::Real::ZERO, V::Real::INFINITY);
     let ends = [(zero, t), (t, infinity), (zero, t.next_down()), (t.next_up(), infinity)];
     let ray = *ray;

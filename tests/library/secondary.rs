@@ -7,6 +7,7 @@ use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::truth::{Number, RBig};
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError, Real, Vector};
 use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
 use stackless_bvh::traverse::Method;
@@ -21,19 +22,20 @@ type Rational = [RBig; 3];
 type Hit<'s, R> = (R, &'s [u32], u32, [R; 2], RBig);
 
 /// A scene as it is traced, and its triangles as they are.
-struct Scene<V: Vector> {
-    /// Over a binary tree, and if single precision has the mesh over a wide one.
+struct Scene<V: Precision> {
+    /// Over a binary tree, over a wide one, and if single precision has the mesh over one of these.
     tracers: Vec<InstanceTracer<V>>,
     /// Instance, or none, and triangle, each with its corners.
     triangles: Vec<(Vec<u32>, u32, [Rational; 3])>,
 }
 
-impl<V: Vector> Scene<V> {
+impl<V: Precision> Scene<V> {
     /// A mesh, placed by these maps, or as it is if there are none.
     fn new(mesh: &Mesh<V>, maps: &[AffineMap<V::Real>], method: Method) -> Self {
         let mut assembly = Assembly::new();
         let mut objects = vec![assembly.add_mesh(Bvh::build(mesh).unwrap())];
-        objects.extend(in_single(mesh).map(|mesh| assembly.add_wide(WideBvh::build(&mesh).unwrap())));
+        objects.push(assembly.add_wide::<V>(WideBvh::build(mesh).unwrap()));
+        objects.extend(in_single(mesh).map(|mesh| assembly.add_wide::<Vec3>(WideBvh::build(&mesh).unwrap())));
         let mut tracer = |object| {
             let placed: Vec<_> = maps.iter().map(|&affine| Instance { object, affine }).collect();
             let is_alone = maps.is_empty();
@@ -70,7 +72,7 @@ impl<V: Vector> Scene<V> {
     }
 }
 
-fn exact<V: Vector>(v: V) -> Rational {
+fn exact<V: Precision>(v: V) -> Rational {
     v.widen().to_array().map(|x| RBig::try_from(x).unwrap())
 }
 
@@ -112,7 +114,7 @@ fn along(o: &Rational, d: &Rational, t: &RBig) -> Rational {
 }
 
 /// A box of `n` by `n` squares a side, cut in two each, with an inner box: rays meet corners, edges and planes.
-fn boxes<V: Vector>(n: i32, scale: f64) -> Mesh<V> {
+fn boxes<V: Precision>(n: i32, scale: f64) -> Mesh<V> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for size in [f64::from(n), f64::from(n) * 0.5] {
         for axis in 0..3 {
@@ -135,7 +137,7 @@ fn boxes<V: Vector>(n: i32, scale: f64) -> Mesh<V> {
 }
 
 /// Coincident triangles, and triangles that touch others with an edge, a corner, or their inside.
-fn sheets<V: Vector>(rng: &mut Rng) -> Mesh<V> {
+fn sheets<V: Precision>(rng: &mut Rng) -> Mesh<V> {
     let mut vertices = Vec::new();
     for _ in 0..8 {
         let mut point = || DVec3::from(array::from_fn(|_| rng.below(5) as f64 - 2.0));
@@ -146,7 +148,7 @@ fn sheets<V: Vector>(rng: &mut Rng) -> Mesh<V> {
     Mesh::new(vertices.into_iter().map(narrow).collect(), triangles).unwrap()
 }
 
-fn scenes<V: Vector>(tiny: f64, huge: f64) -> Vec<Scene<V>> {
+fn scenes<V: Precision>(tiny: f64, huge: f64) -> Vec<Scene<V>> {
     let mut rng = Rng::new(7);
     let map = |rows: [[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).unwrap();
     let soup = procedural::soup(3, 60);
@@ -169,7 +171,7 @@ fn scenes<V: Vector>(tiny: f64, huge: f64) -> Vec<Scene<V>> {
 }
 
 /// Hits, points and bounds. `[SECOND-1]` `[SECOND-2]` `[SECOND-3]`
-fn paths_are_those_of_rational_arithmetic<V: Vector>(scenes: &[Scene<V>]) {
+fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
     let mut rng = Rng::new(1);
     let (mut hits, mut at_own_plane, mut longest) = (0, 0, 0);
     for scene in scenes {
@@ -255,7 +257,7 @@ fn paths_are_those_of_rational_arithmetic_in_double() {
     paths_are_those_of_rational_arithmetic::<DVec3>(&scenes(3e-50, 7e50));
 }
 
-fn rounded<V: Vector>(v: &Rational) -> V {
+fn rounded<V: Precision>(v: &Rational) -> V {
     V::from_components(v.each_ref().map(Number::nearest))
 }
 
@@ -267,7 +269,7 @@ fn holds(bounds: &[Interval; 3], v: &Rational) -> bool {
 }
 
 /// In a closed box no path ever ends, and from its inside nothing outside is seen.
-fn nothing_leaks<V: Vector>(mesh: &Mesh<V>, most: u32) {
+fn nothing_leaks<V: Precision>(mesh: &Mesh<V>, most: u32) {
     let scene = Scene::new(mesh, &[], Method::default());
     let (mut rng, mut bounces) = (Rng::new(5), 0);
     let outside = ExactPoint::new(narrow(DVec3::new(5.0, 1.0, -0.25))).unwrap();
@@ -301,7 +303,7 @@ fn nothing_leaks_in_double() {
 }
 
 /// From within the boxes.
-fn start<V: Vector>() -> ExactRay<V> {
+fn start<V: Precision>() -> ExactRay<V> {
     ExactRay::from(&Ray::new(narrow(DVec3::splat(1.0)), narrow(DVec3::new(0.2, 0.5, 0.9))).unwrap())
 }
 

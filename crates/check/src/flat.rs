@@ -8,6 +8,7 @@ use glam::Vec3;
 
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh, WideError};
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Triangle, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object};
@@ -25,33 +26,36 @@ pub enum Shape<V: Vector = Vec3> {
 
 /// The hierarchies of shapes, from which an assembly of them is made.
 #[derive(Debug)]
-pub struct Hierarchies<V: Vector = Vec3> {
+pub struct Hierarchies<V: Precision = Vec3> {
     /// By shape; `None` for groups.
     bvhs: Vec<Option<Held<V>>>,
     options: BuildOptions,
 }
 
 #[derive(Debug)]
-enum Held<V: Vector> {
+enum Held<V: Precision> {
     Binary(Arc<Bvh<Triangle<V>>>),
-    Wide(Arc<WideBvh>),
+    Wide(Arc<WideBvh<8, V>>),
+    Single(Arc<WideBvh>),
 }
 
-impl<V: Vector> Hierarchies<V> {
-    /// Builds those of the meshes, all in one way: wide ones with `wide`, but of meshes that single precision does not
-    /// have.
+impl<V: Precision> Hierarchies<V> {
+    /// Builds those of the meshes, all in one way: wide ones with `wide`, and every other one of these in single precision,
+    /// if that has the mesh.
     ///
     /// # Errors
     /// What [`WideError`] lists.
     pub fn new(shapes: &[Shape<V>], options: BuildOptions, wide: Option<&WideOptions>) -> Result<Self, WideError> {
-        let build = |shape: &Shape<V>| -> Result<_, WideError> {
+        let build = |(i, shape): (usize, &Shape<V>)| -> Result<_, WideError> {
             let Shape::Mesh(mesh) = shape else { return Ok(None) };
-            Ok(Some(match wide.and_then(|wide| Some((wide, in_single(mesh)?))) {
-                Some((wide, mesh)) => Held::Wide(WideBvh::with_options(&options.build(&mesh)?, wide)?.into()),
-                None => Held::Binary(options.build(mesh)?.into()),
+            let single = if i % 2 == 1 { in_single(mesh) } else { None };
+            Ok(Some(match (wide, single) {
+                (Some(wide), Some(mesh)) => Held::Single(WideBvh::with_options(&options.build(&mesh)?, wide)?.into()),
+                (Some(wide), None) => Held::Wide(WideBvh::with_options(&options.build(mesh)?, wide)?.into()),
+                (None, _) => Held::Binary(options.build(mesh)?.into()),
             }))
         };
-        Ok(Self { bvhs: shapes.iter().map(build).collect::<Result<_, _>>()?, options })
+        Ok(Self { bvhs: shapes.iter().enumerate().map(build).collect::<Result<_, _>>()?, options })
     }
 
     /// The assembly of these shapes, which must be the same, and the objects that they have become.
@@ -63,7 +67,8 @@ impl<V: Vector> Hierarchies<V> {
         for (shape, bvh) in shapes.iter().zip(&self.bvhs) {
             match (shape, bvh) {
                 (Shape::Mesh(_), Some(Held::Binary(bvh))) => objects.push(assembly.add_mesh(Arc::clone(bvh))),
-                (Shape::Mesh(_), Some(Held::Wide(bvh))) => objects.push(assembly.add_wide(Arc::clone(bvh))),
+                (Shape::Mesh(_), Some(Held::Wide(bvh))) => objects.push(assembly.add_wide::<V>(Arc::clone(bvh))),
+                (Shape::Mesh(_), Some(Held::Single(bvh))) => objects.push(assembly.add_wide::<Vec3>(Arc::clone(bvh))),
                 (Shape::Group(instances), _) => {
                     let place = |&(shape, affine): &(usize, AffineMap<V::Real>)| {
                         objects.get(shape).map(|&object| Instance { object, affine })

@@ -5,10 +5,12 @@ use std::fmt;
 
 use glam::DVec3;
 
-use stackless_bvh::bvh::{Bvh, BvhError, validate};
+use stackless_bvh::bvh::wide::WideBvhError;
+use stackless_bvh::bvh::{Bvh, BvhError, WideBvh, WideError, validate};
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{RBig, round_root, square_distance};
-use stackless_bvh::geom::{Ball, BallError, Kernel, Mesh, MeshError, Ray, Slabs, Triangle, Vector};
-use stackless_bvh::trace::{BinaryTracer, Hit, Near, NodeSearch, OwnBoxes, Query, Sweep, Truth};
+use stackless_bvh::geom::{Ball, BallError, Mesh, MeshError, Ray, Triangle, Vector};
+use stackless_bvh::trace::{BinaryTracer, Hit, Near, NodeSearch, OwnBoxes, Query, Sweep, Tracer, Truth};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::Topology;
 
@@ -20,6 +22,12 @@ pub enum TreeFault {
     /// It is not sound, or not that of the mesh.
     #[error("it is not sound: {0}")]
     Unsound(#[from] BvhError),
+    /// The wide tree of it is not sound, or not that of the mesh.
+    #[error("the wide tree of it is not sound: {0}")]
+    UnsoundWide(#[from] WideBvhError),
+    /// There is no wide tree of it.
+    #[error(transparent)]
+    Wide(#[from] WideError),
     /// Its triangles are not a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -54,22 +62,18 @@ pub enum TreeFault {
     Place(#[from] GeometryFault),
 }
 
-/// Checks that a hierarchy is sound and that of the mesh, and that by `hashed` the closest hit, any hit and all hits of
-/// each ray are those of rational arithmetic, in every bit. `[DET-1]`
+/// Checks that a hierarchy is sound and that of the mesh, and that by `hashed`, and in a wide tree that is made of it, the
+/// closest hit, any hit and all hits of each ray are those of rational arithmetic, in every bit. `[DET-1]`
 ///
 /// Returns the number of rays that hit.
 ///
 /// # Errors
 /// The first fault.
-pub fn check_tree<K, B, V>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>, rays: &[Ray<V>]) -> Result<usize, TreeFault>
-where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
-    B: Slabs<Vector = V>,
-    V: Vector,
-{
+pub fn check_tree<V: Precision>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>, rays: &[Ray<V>]) -> Result<usize, TreeFault> {
     validate(bvh, mesh)?;
+    WideBvh::<8, V>::of(bvh)?.validate(mesh)?;
     let prims: Vec<_> = (0..mesh.triangles().len() as u32).collect();
-    check_rays::<K, B, V>(bvh, mesh, &prims, rays)
+    check_rays(bvh, mesh, &prims, rays)
 }
 
 /// The same for a hierarchy of unknown origin, whose triangles are taken for the mesh. `[FILE-5]`
@@ -78,51 +82,55 @@ where
 ///
 /// # Errors
 /// The first fault.
-pub fn check_held<K, B, V>(bvh: &Bvh<Triangle<V>>, rays: &[Ray<V>]) -> Result<usize, TreeFault>
-where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
-    B: Slabs<Vector = V>,
-    V: Vector,
-{
+pub fn check_held<V: Precision>(bvh: &Bvh<Triangle<V>>, rays: &[Ray<V>]) -> Result<usize, TreeFault> {
     let held: BTreeMap<u32, [V; 3]> = bvh.triangles().iter().map(|held| (held.prim, held.shape.0)).collect();
     let vertices = held.values().flatten().copied().collect();
     let mesh = Mesh::new(vertices, (0..held.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())?;
-    check_rays::<K, B, V>(bvh, &mesh, &held.into_keys().collect::<Vec<_>>(), rays)
+    check_rays(bvh, &mesh, &held.into_keys().collect::<Vec<_>>(), rays)
 }
 
 /// Rays against the truth of a mesh, whose triangles have these numbers in the hierarchy.
-fn check_rays<K, B, V>(
+fn check_rays<V: Precision>(
     bvh: &Bvh<Triangle<V>>,
     mesh: &Mesh<V>,
     prims: &[u32],
     rays: &[Ray<V>],
-) -> Result<usize, TreeFault>
-where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
-    B: Slabs<Vector = V>,
-    V: Vector,
-{
+) -> Result<usize, TreeFault> {
     let tree = bvh.tree();
     let tables = Tables::new(tree, tree.axes(), &[Method::Hashed], 0);
     let (word, mut memory) = (WordName::narrowest(tree.depth()), Vec::new());
     let mut run =
         |query: &mut dyn Query| tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unfit);
+    let wide = WideBvh::<8, V>::of(bvh)?;
+    let tracer = Tracer::new(&wide);
+    let (in_turns, in_turns_any) = (tracer.closest_each(rays), tracer.any_each(rays));
     let (truth, mut hits) = (Truth::new(mesh), 0);
     for (number, ray) in rays.iter().enumerate() {
         let true_hits = truth.all(ray);
         let expected: Vec<_> =
             true_hits.iter().map(|hit| bits(&Hit { prim: prims[hit.prim as usize], ..hit.rounded() })).collect();
-        let mut closest = NodeSearch::<K, B, false>::new(bvh, &[], ray);
+        let mut closest = NodeSearch::<V::Exact, V::Slabs, false>::new(bvh, &[], ray);
         run(&mut closest)?;
         let closest: Vec<_> = closest.hit().iter().map(bits).collect();
         compare(number, "the closest hit", &expected[..expected.len().min(1)], &closest[..])?;
-        let mut any = NodeSearch::<K, B, true>::new(bvh, &[], ray);
+        let mut any = NodeSearch::<V::Exact, V::Slabs, true>::new(bvh, &[], ray);
         run(&mut any)?;
         compare(number, "any hit", &!expected.is_empty(), &any.found().is_some())?;
-        let mut all = OwnBoxes::over(Sweep::<K, B>::new(bvh, ray), &[]);
+        let mut all = OwnBoxes::over(Sweep::<V::Exact, V::Slabs>::new(bvh, ray), &[]);
         run(&mut all)?;
         let all: Vec<_> = all.query().hits().iter().map(bits).collect();
         compare(number, "all hits", &expected, &all)?;
+        let first = expected.first();
+        for (what, hit) in [
+            ("the closest hit in a wide tree", tracer.closest(ray)),
+            ("the closest hit in a wide tree, of two in turns", in_turns[number]),
+        ] {
+            compare(number, what, &first, &hit.as_ref().map(bits).as_ref())?;
+        }
+        let any = [tracer.any(ray), in_turns_any[number], tracer.closest_distance(ray).is_some()];
+        compare(number, "any hit in a wide tree", &[!expected.is_empty(); 3], &any)?;
+        let all: Vec<_> = tracer.all(ray).map(|hit| bits(&hit)).collect();
+        compare(number, "all hits in a wide tree", &expected, &all)?;
         hits += usize::from(!expected.is_empty());
     }
     Ok(hits)
@@ -133,21 +141,21 @@ where
 ///
 /// # Errors
 /// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`], [`TreeFault::Unfit`].
-pub fn check_nearest<K, B, V>(
+pub fn check_nearest<V: Precision>(
     bvh: &Bvh<Triangle<V>>,
     mesh: &Mesh<V>,
     point: V,
     radius: V::Real,
     k: usize,
-) -> Result<(), TreeFault>
-where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
-    B: Slabs<Vector = V>,
-    V: Vector,
-{
-    let tracer = BinaryTracer::<_, K, B>::with_tests(bvh, Method::default()).map_err(TreeFault::Unfit)?;
+) -> Result<(), TreeFault> {
+    let tracer = BinaryTracer::<_, V::Exact, V::Slabs>::with_tests(bvh, Method::default()).map_err(TreeFault::Unfit)?;
     let ball = Ball::new(point, radius)?;
     let nears = tracer.nearest_k(&ball, k);
+    let wide = Tracer::new(WideBvh::<8, V>::of(bvh)?);
+    if (wide.nearest_k(&ball, k), wide.nearest(&ball)) != (nears.clone(), tracer.nearest(&ball)) {
+        let [expected, found] = [distances(&nears), distances(&wide.nearest_k(&ball, k))];
+        return Err(TreeFault::Nearest { expected, found });
+    }
     let (mut expected, found) = (nearest(mesh, point, radius, k.max(1)), distances(&nears));
     let (first, near) = (expected.first().copied(), tracer.nearest(&ball));
     expected.truncate(k);

@@ -4,25 +4,54 @@ use fearless_simd::{Simd, SimdBase as _, SimdMask as _, f64x4};
 use glam::DVec3;
 
 use super::precision::Hits;
-use super::triangles::{CONSTANTS, Found};
+use super::triangles::{CONSTANTS, Found, OFF, OFF_EDGE};
 use super::{Block, LaneSet, Level, TriangleRay, filled};
-use crate::geom::kernel::{Corrected, Exact64, QUOTIENT, USUAL};
-use crate::geom::{Kernel as _, Once, Ray, Region, Triangle};
+use crate::geom::frame::power_of_two;
+use crate::geom::kernel::{Corrected, EDGE, Exact64, QUOTIENT, USUAL};
+use crate::geom::{EnclosedRay, Interval, Kernel as _, Once, Ray, Region, Triangle};
 
 /// Half of the distance from 1 to the next double.
 const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// As in single precision. `[LANES-5]`
+const OFF_REACH: f64 = 9.0 / (EDGE as f64 * UNIT);
+
+/// The greatest ε, for a direction of length 1, for which the filter is asked.
+const MAX_TURN: f64 = power_of_two(-10);
 
 impl<S: Simd> TriangleRay<S, DVec3> {
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     #[inline(always)]
     pub fn double(simd: S, ray: &Ray<DVec3>, region: &Region) -> Self {
-        Self::double_with(simd, ray, region, CONSTANTS.map(f64::from))
+        Self::double_with(simd, [ray.origin(), ray.direction()], region, CONSTANTS.map(f64::from))
+    }
+
+    /// Prepares a ray that is known within bounds. Rejected is what all rays within them miss, or meet beyond. `[LANES-5]`
+    #[inline(always)]
+    pub fn double_enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
+        let ((origin, moved), (direction, turned)) =
+            (Interval::middles(&ray.origin), Interval::middles(&ray.direction));
+        let is_usual = origin.is_finite()
+            && direction.is_finite()
+            && moved <= *USUAL.end()
+            && turned <= MAX_TURN * direction.abs().max_element();
+        let [moved, turned] = if is_usual { [moved, turned] } else { [f64::INFINITY; 2] };
+        let middle = Self::double_with(simd, [origin, direction], region, CONSTANTS.map(f64::from));
+        let [edge, off] = [OFF_EDGE, OFF].map(f64::from);
+        // The filter for hits beyond the limit needs the distance from the ray's origin.
+        let from_start = if ray.start == Interval::exact(0.0) { off * moved } else { f64::INFINITY };
+        Self {
+            edge: middle.edge + edge * turned,
+            det: middle.det + off * turned,
+            t: middle.t + from_start,
+            twice_c: middle.twice_c + OFF_REACH * moved,
+            ..middle
+        }
     }
 
     /// The same with other constants, as [`with_constants`](TriangleRay::with_constants).
     #[inline(always)]
-    fn double_with(simd: S, ray: &Ray<DVec3>, region: &Region, [edge, det, t]: [f64; 3]) -> Self {
-        let (o, d) = (ray.origin(), ray.direction());
+    fn double_with(simd: S, [o, d]: [DVec3; 2], region: &Region, [edge, det, t]: [f64; 3]) -> Self {
         let (c, length) = (region.distance(o), d.abs().max_element());
         let (least, most) = (length.min(c).min(region.size()), length.max(c));
         let is_usual = *USUAL.start() <= least && most <= *USUAL.end();

@@ -63,7 +63,7 @@ impl<S: Simd> NodeBoxes<S, DVec3> for FramedBoxes<S> {
 #[cold]
 #[inline(never)]
 fn end_slowly(entered: &Entered, t: f64) -> f32 {
-    entered.from_start(t)[1]
+    entered.in_units(t)[1]
 }
 
 #[cold]

@@ -9,7 +9,7 @@ use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, blo
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Exact, Exact64, Parity};
 use crate::geom::slabs::{Directed, Slabs, Wide};
-use crate::geom::{Ray, Region, Triangle, Vector};
+use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
 /// Positions in single or in double precision, as wide trees need them. The boxes of both are in single precision.
 pub trait Precision: Vector {
@@ -30,6 +30,9 @@ pub trait Precision: Vector {
     /// Edges count at least this much in the error bounds of the filter, so that these cover all errors of underflow
     /// too. `[LANES-3]`
     const MIN_EDGE: Self::Real;
+
+    /// The filter of a ray that is known within bounds. `[LANES-5]`
+    fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self>;
 
     /// The greatest component of the edges from the first corner, as the filter computes them, and not below
     /// [`MIN_EDGE`](Self::MIN_EDGE). `[LANES-3]`
@@ -119,6 +122,11 @@ impl Precision for Vec3 {
     const HAS_ALL_COPIES: bool = true;
     const MIN_EDGE: f32 = super::MIN_EDGE;
 
+    #[inline(always)]
+    fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {
+        TriangleRay::enclosed(simd, ray, region)
+    }
+
     #[inline]
     fn longest(triangle: &Triangle) -> f32 {
         block::longest(triangle)
@@ -135,6 +143,11 @@ impl Precision for DVec3 {
     const HAS_ALL_COPIES: bool = false;
     /// So little that no scene is too small for it.
     const MIN_EDGE: f64 = power_of_two(-400);
+
+    #[inline(always)]
+    fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {
+        TriangleRay::double_enclosed(simd, ray, region)
+    }
 
     #[inline]
     fn longest(&Triangle([v0, v1, v2]): &Triangle<Self>) -> f64 {

@@ -197,11 +197,11 @@ impl Entered {
 
     /// Where the ray enters two boxes, if it does, in the units of the frame from its start on, rounded to single precision.
     pub(in crate::geom) fn enter(&self, planes: &[[f32; 4]; 3]) -> [Option<f32>; 2] {
-        self.met(planes).map(|met| met.map(|[near, _]| self.from_start(near)[0]))
+        self.met(planes).map(|met| met.map(|[near, _]| self.in_units(near)[0]))
     }
 
     /// Bounds of a distance in these units, rounded: so a lesser distance has no greater bound.
-    pub(in crate::geom) fn from_start(&self, t: f64) -> [f32; 2] {
+    pub(in crate::geom) fn in_units(&self, t: f64) -> [f32; 2] {
         let bounds = scaled(Interval::exact(t) - self.start, -self.exponent);
         bounds.ends().map(|x| (x as f32).clamp(0.0, f32::MAX))
     }

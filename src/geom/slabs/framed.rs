@@ -1,5 +1,7 @@
 //! A ray in double precision in the frame of the boxes, for tests of many at once.
 
+use std::ops::RangeInclusive;
+
 use glam::{BVec4A, DVec3, Vec4};
 
 use super::entered::{Approach, Entered, Entry, MAX_LENGTH, MAX_UNIT};
@@ -55,7 +57,7 @@ impl Framed {
         let exponent = region.frame().exponent() - length;
         let is_near = origin.abs().max_element() <= NEAR * f64::from(reach);
         let is_within = length.abs() <= MAX_LENGTH && exponent.abs() <= MAX_UNIT;
-        if !(is_near && is_within && SMALLEST <= reach && reach <= GREATEST) {
+        if !(is_near && is_within && USUAL.contains(&reach)) {
             return Self::afar(ray, region);
         }
         let direction = ray.direction() * power_of_two(-length);
@@ -124,8 +126,7 @@ impl Framed {
 }
 
 /// Coordinates of a region that are neither huge nor tiny.
-const SMALLEST: f32 = power_of_two(-60) as f32;
-const GREATEST: f32 = power_of_two(60) as f32;
+const USUAL: RangeInclusive<f32> = power_of_two(-60) as f32..=power_of_two(60) as f32;
 
 /// Rounded to single precision, so many parts of a number are below it.
 const LESS: f64 = 1.0 - f32::EPSILON as f64;

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
+use super::wide_walk::WideObject;
 use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives, WideBvh};
+use crate::geom::lanes::Precision;
 use crate::geom::{Aabb, AffineMap, Frame, Interval, Real, Triangle, Vector, check_environment};
 
 /// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
@@ -66,7 +68,7 @@ pub enum AssemblyError {
 #[derive(Clone, Debug)]
 pub(super) enum Part<V: Vector> {
     Mesh(Arc<Bvh<Triangle<V>>>),
-    Wide(Arc<WideBvh>),
+    Wide(Arc<dyn WideObject<V>>),
     Group(Arc<Group<V::Real>>),
 }
 
@@ -97,9 +99,13 @@ impl<V: Vector> Assembly<V> {
     /// Adds a mesh by a hierarchy of eight children. The answers are those of [`add_mesh`](Self::add_mesh), bit for
     /// bit. `[INST-6]`
     ///
-    /// The triangles are in single precision, also in an assembly in double, where the maps are in double.
-    pub fn add_wide(&mut self, bvh: impl Into<Arc<WideBvh>>) -> Object {
-        self.add(Part::Wide(bvh.into()))
+    /// In an assembly in double precision, where the maps are in double, its triangles may be in single.
+    pub fn add_wide<W: Precision>(&mut self, bvh: impl Into<Arc<WideBvh<8, W>>>) -> Object
+    where
+        V: From<W>,
+    {
+        let bvh: Arc<WideBvh<8, W>> = bvh.into();
+        self.add(Part::Wide(bvh))
     }
 
     /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box holds the
@@ -172,7 +178,7 @@ impl<V: Vector> Part<V> {
     fn bounds(&self) -> [Interval; 3] {
         match self {
             Self::Mesh(bvh) => bvh.frame().leave(&bvh.bounds()),
-            Self::Wide(bvh) => bvh.region().frame().leave(bvh.region().bounds()),
+            Self::Wide(object) => object.region().frame().leave(object.region().bounds()),
             Self::Group(group) => group.bvh.frame().leave(&group.bvh.bounds()),
         }
     }

@@ -1,13 +1,14 @@
 //! A ray on its way through the wide hierarchy of a mesh.
 
+use std::fmt::Debug;
+
 use fearless_simd::{Simd, f32x8};
-use glam::Vec3;
 
 use super::walk::{Search, Triangles};
 use crate::bvh::{LeafTriangle, WideBvh};
-use crate::geom::lanes::{Block, EnclosedBoxes, LaneSet, TriangleRay, filled, with_baseline};
+use crate::geom::lanes::{Block, EnclosedBoxes, LaneSet, Precision, TriangleRay, filled, with_baseline};
 use crate::geom::slabs::EnclosedSlabs;
-use crate::geom::{EnclosedRay, Real, Triangle, Vector};
+use crate::geom::{EnclosedRay, Real as _, Region, Triangle, Vector};
 use crate::order::Flow;
 use crate::trace::tracer::{LaneRanks, with_memory};
 use crate::tree::Node;
@@ -20,41 +21,56 @@ pub(super) struct WideLevel {
     tables: Tables,
 }
 
-impl WideLevel {
-    /// Checked once and for all: no ray can fail.
-    pub(super) fn new(bvh: &WideBvh, method: Method) -> Result<Self, Unfit> {
-        let level = Self { method, tables: Tables::of(method, bvh) };
-        // A search that is over at the root: what is unfit is found before the first step.
-        level.method.run(bvh, &level.tables, &mut Nothing, &mut ()).map(|()| level)
-    }
+/// A wide hierarchy whose triangles are in the precision of an assembly, or in less.
+pub(super) trait WideObject<V: Vector>: Debug + Send + Sync {
+    /// What the tests of a ray need to know of the whole.
+    fn region(&self) -> &Region;
+
+    /// What it takes to traverse it, checked once and for all: no ray can fail.
+    fn level(&self, method: Method) -> Result<WideLevel, Unfit>;
 
     /// Bytes of the state of a traversal.
-    pub(super) fn state_bytes(&self, bvh: &WideBvh) -> usize {
-        self.method.state_bytes::<8>(bvh.levels() as usize)
+    fn state_bytes(&self, level: &WideLevel) -> usize;
+
+    /// Traverses it with a ray.
+    fn run(&self, level: &WideLevel, ray: &EnclosedRay, triangles: Triangles<'_, V>, search: &mut Search<'_, V>);
+}
+
+impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
+    fn region(&self) -> &Region {
+        self.region()
     }
 
-    /// Traverses the hierarchy with a ray.
-    pub(super) fn run<V: Vector>(
-        &self,
-        bvh: &WideBvh,
-        ray: &EnclosedRay,
-        triangles: Triangles<'_, V>,
-        search: &mut Search<'_, V>,
-    ) {
-        let slabs = EnclosedSlabs::of(ray, search.tmin(), bvh.region());
+    fn level(&self, method: Method) -> Result<WideLevel, Unfit> {
+        let level = WideLevel { method, tables: Tables::of(method, self) };
+        // A search that is over at the root: what is unfit is found before the first step.
+        level.method.run(self, &level.tables, &mut Nothing, &mut ()).map(|()| level)
+    }
+
+    fn state_bytes(&self, level: &WideLevel) -> usize {
+        level.method.state_bytes::<8>(self.levels() as usize)
+    }
+
+    fn run(&self, level: &WideLevel, ray: &EnclosedRay, triangles: Triangles<'_, V>, search: &mut Search<'_, V>) {
+        let (bvh, slabs) = (self, EnclosedSlabs::of(ray, search.tmin(), self.region()));
         with_baseline!(simd => {
             let boxes = EnclosedBoxes::<_, f32x8<_>, 8>::new(simd, slabs);
-            let filter = TriangleRay::enclosed(simd, ray, bvh.region());
+            let filter = W::enclosed(simd, ray, bvh.region());
             if search.any {
-                self.walk(WideWalk::<_, _, true> { simd, bvh, boxes, filter, triangles, search });
+                level.walk(WideWalk::<_, _, _, true> { simd, bvh, boxes, filter, triangles, search });
             } else {
-                self.walk(WideWalk::<_, _, false> { simd, bvh, boxes, filter, triangles, search });
+                level.walk(WideWalk::<_, _, _, false> { simd, bvh, boxes, filter, triangles, search });
             }
         });
     }
+}
 
+impl WideLevel {
     /// No other wide hierarchy is in one, so the memory of this thread is free.
-    fn walk<S: Simd, V: Vector, const ANY: bool>(&self, mut walk: WideWalk<'_, '_, S, V, ANY>) {
+    fn walk<S: Simd, V: Vector + From<W>, W: Precision, const ANY: bool>(
+        &self,
+        mut walk: WideWalk<'_, '_, S, V, W, ANY>,
+    ) {
         let tree = walk.bvh;
         let ran = with_memory(|[memory, _]| {
             self.method.run_in(Supply { tree, tables: &self.tables, memory }, &mut walk, &mut ())
@@ -65,16 +81,16 @@ impl WideLevel {
 }
 
 /// A ray on its way. With `ANY`, the first hit ends it.
-struct WideWalk<'s, 'r, S: Simd, V: Vector, const ANY: bool> {
+struct WideWalk<'s, 'r, S: Simd, V: Vector, W: Precision, const ANY: bool> {
     simd: S,
-    bvh: &'s WideBvh,
+    bvh: &'s WideBvh<8, W>,
     boxes: EnclosedBoxes<S, f32x8<S>, 8>,
-    filter: TriangleRay<S>,
+    filter: TriangleRay<S, W>,
     triangles: Triangles<'s, V>,
     search: &'s mut Search<'r, V>,
 }
 
-impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S, V, ANY> {
+impl<S: Simd, V: Vector + From<W>, W: Precision, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S, V, W, ANY> {
     const SORTED: bool = !ANY;
 
     type Ranks = LaneRanks<S, f32x8<S>, 8>;
@@ -90,7 +106,7 @@ impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S
         let (blocks, count) = self.bvh.leaf(leaf);
         self.search.counts.triangles += u64::from(count);
         for (block, filled) in filled(blocks, count) {
-            let lanes = self.filter.survivors(self.simd, block, self.search.end) & filled;
+            let lanes = self.filter.survivors(self.simd, block, self.limit()) & filled;
             if lanes != 0 && self.settle(block, lanes) == Flow::Stop {
                 return Flow::Stop;
             }
@@ -105,12 +121,18 @@ impl<S: Simd, V: Vector, const ANY: bool> wide::Search<8> for WideWalk<'_, '_, S
     }
 }
 
-impl<S: Simd, V: Vector, const ANY: bool> WideWalk<'_, '_, S, V, ANY> {
+impl<S: Simd, V: Vector + From<W>, W: Precision, const ANY: bool> WideWalk<'_, '_, S, V, W, ANY> {
+    /// At least the distance of the best hit.
+    #[inline(always)]
+    fn limit(&self) -> W::Real {
+        W::Real::rounded(self.search.end.into())
+    }
+
     /// The exact test of these lanes' triangles.
     #[inline(never)]
-    fn settle(&mut self, block: &Block, lanes: u32) -> Flow {
+    fn settle(&mut self, block: &Block<W>, lanes: u32) -> Flow {
         for lane in LaneSet(lanes) {
-            let held = LeafTriangle { shape: Triangle(block.triangle(lane).0.map(widened)), prim: block.prims[lane] };
+            let held = LeafTriangle { shape: Triangle(block.triangle(lane).0.map(V::from)), prim: block.prims[lane] };
             self.triangles.settle(&held, self.search);
             if self.search.is_over() {
                 return Flow::Stop;
@@ -118,12 +140,6 @@ impl<S: Simd, V: Vector, const ANY: bool> WideWalk<'_, '_, S, V, ANY> {
         }
         Flow::Continue
     }
-}
-
-/// The same point.
-#[inline(always)]
-fn widened<V: Vector>(v: Vec3) -> V {
-    V::from_components(v.to_array().map(|x| V::Real::rounded(x.into())))
 }
 
 /// A search that ends at the root.

@@ -191,7 +191,7 @@ impl<V: Precision> Around<'_, WideBvh<8, V>, V> {
         const LEAST: f32 = f32::from_bits(16);
         let record = &self.bvh.nodes()[node.index()];
         let mut slots = (0..8).filter(|slot| set >> slot & 1 == 1);
-        let distance = |slot: u32| self.measure().from_frame(ranks[slot as usize] + LEAST);
+        let distance = |slot: u32| self.measure().out_of_frame(ranks[slot as usize] + LEAST);
         slots.clone().all(|slot| self.is_about_limit(distance(slot), OFF))
             && slots.all(|slot| self.is_settled(self.to_box(&record.child_box(slot)), record.child(slot)))
     }

@@ -64,7 +64,10 @@ pub(super) fn trace<V: Precision>(
     if !has_copy::<V>(method) {
         // So that what is unfit is found without a ray.
         shared::check(method, job)?;
-        return rays.iter().enumerate().try_for_each(|(i, ray)| Ok(answer(i, shared::trace(method, job, ray)?)));
+        for (i, ray) in rays.iter().enumerate() {
+            answer(i, shared::trace(method, job, ray)?);
+        }
+        return Ok(());
     }
     with_memory(|memory| match job.ask {
         Ask::Closest | Ask::Distance => dispatch(method, Several::<V, false> { job, rays, answer, memory }),

@@ -2,11 +2,12 @@
 
 use glam::{DMat3, DVec3, Vec3};
 use stackless_bvh::generate::{Rng, Source, procedural};
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{AffineMap, Mesh, Real, Vector};
 use stackless_check::Shape;
 
 /// Single or double precision, and how small and great its scenes are.
-pub(crate) trait Kind: Vector {
+pub(crate) trait Kind: Precision {
     const TINY: f64;
     const LEAST: f64;
     const HUGE: f64;

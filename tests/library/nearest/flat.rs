@@ -3,9 +3,8 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, Degenerate, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
-use stackless_bvh::geom::kernel::{Exact, Exact64};
-use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{Kernel, Mesh, Ray, Real, Slabs, Triangle, Vector};
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::{Mesh, Ray, Real, Triangle, Vector};
 use stackless_bvh::trace::{BinaryTracer, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_check::{check_nearest, nearest as truth};
@@ -53,19 +52,14 @@ fn the_nearest_face_may_be_a_segment() {
 }
 
 /// Returns how many faces without area were found.
-fn check<K, B, V>(mesh: &Mesh<V>, bvh: &Bvh<Triangle<V>>, queries: u64) -> usize
-where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
-    B: Slabs<Vector = V>,
-    V: Vector,
-{
+fn check<V: Precision>(mesh: &Mesh<V>, bvh: &Bvh<Triangle<V>>, queries: u64) -> usize {
     bvh::validate(bvh, mesh).expect("sound");
     assert_eq!(bvh.dropped(), 0);
     let mut random = Rng::new(5);
     let found = (0..queries).flat_map(|i| {
         let (point, k) = (point(mesh, &mut random), [1, 4, 300][i as usize % 3]);
         let radius = V::Real::rounded([f64::INFINITY, 1.0][i as usize % 2]);
-        check_nearest::<K, B, V>(bvh, mesh, point, radius, k).unwrap_or_else(|fault| panic!("{fault}: {point:?} {k}"));
+        check_nearest(bvh, mesh, point, radius, k).unwrap_or_else(|fault| panic!("{fault}: {point:?} {k}"));
         truth(mesh, point, radius, k)
     });
     found.filter(|&(_, prim)| Triangle(mesh.triangle(prim as usize)).is_degenerate()).count()
@@ -84,14 +78,14 @@ fn faces_without_area_are_found_in_all_trees() {
     for mesh in meshes() {
         for builder in Builder::ALL {
             let mut bvh = options(builder).build(&mesh).expect("a tree");
-            found += check::<Exact, Directed, _>(&mesh, &bvh, 60);
+            found += check(&mesh, &bvh, 60);
             let mut wide = WideBvh::of(&bvh).expect("a wide one");
             let mut binary = BinaryTracer::new(bvh.clone());
             for moved in [&mesh, &reversed(&mesh)] {
                 bvh.refit(moved).expect("as many");
                 wide.refit(moved).expect("as many");
                 wide.validate(moved).expect("sound");
-                found += check::<Exact, Directed, _>(moved, &bvh, 30);
+                found += check(moved, &bvh, 30);
                 binary = BinaryTracer::new(bvh.clone());
                 let (tracer, mut random) = (Tracer::new(&wide), Rng::new(6));
                 for k in 1..60 {
@@ -119,10 +113,10 @@ fn faces_without_area_are_found_in_double_precision() {
             let mesh = Mesh::<DVec3>::new(vertices, mesh.triangles().to_vec()).expect("a mesh");
             for builder in Builder::ALL {
                 let mut bvh = options(builder).build(&mesh).expect("a tree");
-                found += check::<Exact64, Wide, _>(&mesh, &bvh, 20);
+                found += check(&mesh, &bvh, 20);
                 let reversed = reversed(&mesh);
                 bvh.refit(&reversed).expect("as many");
-                found += check::<Exact64, Wide, _>(&reversed, &bvh, 10);
+                found += check(&reversed, &bvh, 10);
             }
         }
     }
@@ -147,7 +141,7 @@ fn rays_miss_faces_without_area() {
             .map(|degenerate| BuildOptions { degenerate, ..options(builder) }.build(&mesh).expect("a tree"));
         assert!(left_out.dropped() == 60 && kept.dropped() == 0, "{builder}");
         let wide = [&kept, &left_out].map(|bvh| Tracer::new(WideBvh::of(bvh).expect("a wide one")));
-        let binary = [&kept, &left_out].map(|bvh| BinaryTracer::<_, Exact, Directed>::with_tests(bvh, Method::Hashed));
+        let binary = [&kept, &left_out].map(|bvh| BinaryTracer::with_method(bvh, Method::Hashed));
         let binary = binary.map(|tracer| tracer.expect("a tracer"));
         for ray in &rays {
             assert_eq!(wide[0].closest(ray), wide[1].closest(ray), "{ray:?}");
