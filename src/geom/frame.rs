@@ -24,11 +24,8 @@ pub struct Frame {
     exponent: i32,
 }
 
-/// A frame is shifted where the points are farther from zero than so many times their extent.
-const FAR: f64 = 8.0;
-
-/// A frame is scaled where coordinates would leave 2^-60 to 2^60.
-const SCALED: i32 = 60;
+/// Of so many points or fewer the median is taken.
+const SAMPLES: usize = 4096;
 
 impl Frame {
     /// Coordinates as they are.
@@ -37,21 +34,21 @@ impl Frame {
     /// Greatest magnitude of an [`exponent`](Self::exponent).
     pub const MAX_EXPONENT: i32 = 1000;
 
-    /// The frame of these finite points: [`IDENTITY`](Self::IDENTITY) if they are neither far from zero nor tiny or
-    /// huge. `[FRAME-1]`
-    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
-        let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for point in points {
-            (lo, hi) = (lo.min(point), hi.max(point));
+    /// The frame of these finite points: about their median, where most of them are and floats are finest, and with the
+    /// greatest coordinate from 1 to 2. [`IDENTITY`](Self::IDENTITY) if there are none. `[FRAME-1]`
+    pub fn around(points: impl IntoIterator<Item = DVec3, IntoIter: Clone>) -> Self {
+        let points = points.into_iter();
+        let (mut lo, mut hi, mut count) = (DVec3::INFINITY, DVec3::NEG_INFINITY, 0_usize);
+        for point in points.clone() {
+            (lo, hi, count) = (lo.min(point), hi.max(point), count + 1);
         }
-        let reach = lo.abs().max(hi.abs()).max_element();
-        if !reach.is_finite() {
+        if count == 0 {
             return Self::IDENTITY;
         }
-        let is_near = reach <= FAR * (hi - lo).max_element();
-        let origin = if is_near { DVec3::ZERO } else { lo * 0.5 + hi * 0.5 };
+        let samples: Vec<_> = points.step_by(count.div_ceil(SAMPLES)).collect();
+        let origin = DVec3::from([0, 1, 2].map(|axis| median(samples.iter().map(|point| point[axis]).collect())));
         let radius = (lo - origin).abs().max((hi - origin).abs()).max_element();
-        Self { origin, exponent: scale_of(radius) }
+        Self { origin, exponent: scale_of(radius.min(f64::MAX)) }
     }
 
     /// The frame with this origin and exponent, if they may be one's.
@@ -146,14 +143,15 @@ impl Frame {
     }
 }
 
+/// Of some numbers.
+fn median(mut numbers: Vec<f64>) -> f64 {
+    let middle = numbers.len() / 2;
+    *numbers.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
 /// The exponent of a frame for coordinates up to this one.
 fn scale_of(radius: f64) -> i32 {
-    let exponent = exponent_of(radius);
-    if radius == 0.0 || exponent.abs() <= SCALED {
-        0
-    } else {
-        exponent.clamp(-Frame::MAX_EXPONENT, Frame::MAX_EXPONENT)
-    }
+    if radius == 0.0 { 0 } else { exponent_of(radius).clamp(-Frame::MAX_EXPONENT, Frame::MAX_EXPONENT) }
 }
 
 /// The `e` with which a finite magnitude is from 2^e to 2^(e + 1); -1074 for 0.

@@ -46,9 +46,16 @@ impl Region {
     pub fn within(frame: Frame, aabb: &Aabb) -> Self {
         let size = aabb.hi.as_dvec3() - aabb.lo.as_dvec3();
         let unit = power_of_two(frame.exponent());
-        let reach_in_frame = aabb.lo.abs().max(aabb.hi.abs()).max_element();
-        let (reach, size) = (f64::from(reach_in_frame), size.max_element());
-        Self { reach: reach * unit, size: size * unit, bounds: *aabb, reach_in_frame, near: near_of(aabb, size), frame }
+        let reach = f64::from(aabb.lo.abs().max(aabb.hi.abs()).max_element());
+        let size = size.max_element();
+        Self {
+            reach: reach * unit,
+            size: size * unit,
+            bounds: *aabb,
+            reach_in_frame: reach as f32,
+            near: near_of(aabb, size),
+            frame,
+        }
     }
 
     /// The greatest magnitude of a coordinate, as seen from the origin of the [frame](Self::frame).

@@ -32,7 +32,7 @@ pub trait Vector:
     fn aabb(points: &[Self; 3], frame: &Frame) -> Aabb;
 
     /// The [`Frame`] for these points.
-    fn frame(points: impl IntoIterator<Item = Self>) -> Frame;
+    fn frame(points: impl IntoIterator<Item = Self, IntoIter: Clone>) -> Frame;
 
     /// Whether three points lie on a line, exactly.
     fn are_collinear(points: &[Self; 3]) -> bool;
@@ -103,7 +103,7 @@ impl Vector for Vec3 {
         Aabb::of(points)
     }
 
-    fn frame(_: impl IntoIterator<Item = Self>) -> Frame {
+    fn frame(_: impl IntoIterator<Item = Self, IntoIter: Clone>) -> Frame {
         Frame::IDENTITY
     }
 
@@ -139,7 +139,7 @@ impl Vector for DVec3 {
         frame.aabb_of(points)
     }
 
-    fn frame(points: impl IntoIterator<Item = Self>) -> Frame {
+    fn frame(points: impl IntoIterator<Item = Self, IntoIter: Clone>) -> Frame {
         Frame::around(points)
     }
 

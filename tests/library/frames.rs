@@ -4,12 +4,12 @@ use std::thread;
 
 use glam::{DVec3, Vec3};
 
-use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, SpatialOptions};
+use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Mesh, Ray, Triangle};
-use stackless_bvh::trace::{BinaryTracer, TrueHit, Truth};
+use stackless_bvh::trace::{self, BinaryTracer, TrueHit, Truth};
 use stackless_bvh::traverse::Method;
 
 type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Wide>;
@@ -77,6 +77,23 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
                 assert_ne!(bvh.to_bytes(), before);
                 bvh.refit(&mesh).expect("as before");
                 bvh::validate(&bvh, &mesh).expect("sound");
+            }
+            let mut wide = WideBvh::<8, DVec3>::of(&bvh).expect("a wide tree");
+            let stored = wide.to_bytes();
+            wide.refit(&elsewhere_of(&elsewhere, &mesh)).expect("as many");
+            assert_ne!(wide.to_bytes(), stored);
+            wide.refit(&mesh).expect("as before");
+            let read = WideBvh::from_bytes(&stored).expect("what was written");
+            assert_eq!(read.to_bytes(), stored);
+            for wide in [&wide, &read] {
+                wide.validate(&mesh).expect("sound");
+                let tracer = trace::Tracer::new(wide);
+                for ray in &rays {
+                    let expected: Vec<_> = truth.all(ray).iter().map(TrueHit::rounded).collect();
+                    assert_eq!(tracer.closest(ray), expected.first().copied(), "{place:?} {builder} {ray:?}");
+                    assert_eq!(tracer.any(ray), !expected.is_empty(), "{place:?} {builder} {ray:?}");
+                    assert!(tracer.all(ray).eq(expected.iter().copied()), "{place:?} {builder} {ray:?}");
+                }
             }
             for bvh in [&bvh, &back] {
                 let Ok(tracer) = Tracer::with_tests(bvh, method) else { continue };

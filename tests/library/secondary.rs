@@ -244,7 +244,7 @@ fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
         }
     }
     assert!(hits > 1000 && at_own_plane > 200 && longest == 11, "{hits} {at_own_plane} {longest}");
-    assert!(scenes.iter().filter(|scene| scene.tracers.len() == 2).count() > 2);
+    assert!(scenes.iter().filter(|scene| scene.tracers.len() == 3).count() > 2);
 }
 
 #[test]

@@ -100,6 +100,15 @@ impl<'c> Stress<'c> {
                         found.see(first + i, any, closest);
                     }
                 }
+                let bvh = WideBvh::of(&bvh).map_err(|error| error.to_string())?;
+                for (_, level) in lanes::levels() {
+                    let tracer = Tracer::new(&bvh).with_level(level);
+                    let (closest, any) = (tracer.closest_each(rays), tracer.any_each(rays));
+                    for (i, ray) in rays.iter().enumerate() {
+                        found.see(first + i, any[i], closest[i]);
+                        found.see(first + i, tracer.any(ray), tracer.closest(ray));
+                    }
+                }
             }
             first += rays.len();
         }

@@ -8,6 +8,7 @@ use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Command};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, WideBvh, WideError};
 use stackless_bvh::geom::Triangle;
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::traverse::Method;
 use stackless_scene::Position;
 
@@ -40,12 +41,12 @@ impl Build {
     }
 
     /// A wide hierarchy, with a progress bar.
-    pub(crate) fn run_wide(self, scene: &Scene) -> Result<WideBvh, WideError> {
+    pub(crate) fn run_wide<V: Precision + Position>(self, scene: &Scene<V>) -> Result<WideBvh<8, V>, WideError> {
         WideBvh::of(&self.run_fine(scene)?)
     }
 
     /// The binary one that it is made of, with one triangle a leaf.
-    pub(crate) fn run_fine(self, scene: &Scene) -> Result<Bvh, BuildError> {
+    pub(crate) fn run_fine<V: Position>(self, scene: &Scene<V>) -> Result<Bvh<Triangle<V>>, BuildError> {
         self.run_as(BuildOptions::fine(), scene)
     }
 

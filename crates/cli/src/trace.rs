@@ -7,6 +7,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::kernel::Exact64;
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
 use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
@@ -62,8 +63,8 @@ pub(crate) struct Args {
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
     any: bool,
-    /// Round scene and rays to single precision, and answer in it, two to four times as fast. A note says how many numbers
-    /// are rounded and by how much. [default: double precision]
+    /// Round scene and rays to single precision, and answer in it, in little more than half of the memory. A note says how
+    /// many numbers are rounded and by how much. [default: double precision]
     #[arg(long)]
     single: bool,
     /// Read scene and rays in double precision, and answer in it: the default.
@@ -78,8 +79,6 @@ pub(crate) fn run(args: &Args) -> Outcome {
 /// Options that do not go together.
 #[derive(Debug, thiserror::Error)]
 enum Unfitting {
-    #[error("--method {0}: wide trees are for single precision; add --single, or choose a traversal of binary trees")]
-    Wide(wide::Method),
     #[error("--accuracy {0}: double precision is always exact; add --single, or leave --accuracy out")]
     Double(Accuracy),
     #[error("--accuracy {0}: {1} is always exact; choose a traversal of binary trees")]
@@ -132,27 +131,34 @@ impl Args {
                 let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
                 Ok(Traced { method: method.name(), hits })
             }
-            Traversal::Wide(method) => {
-                let bvh = self.build.unwrap_or_default().run_wide(scene)?;
-                let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
-                let each = |rays: &[Ray]| if self.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
-                Ok(Traced { method: method.name(), hits: in_chunks(rays, each) })
-            }
+            Traversal::Wide(method) => self.by_wide(method, scene, rays),
         }
     }
 
     fn in_double(&self, scene: &Scene<DVec3>, rays: &[Ray<DVec3>]) -> Result<Traced<f64>, Box<dyn Error>> {
-        let method = match self.method.unwrap_or(Traversal::Binary(Method::default())) {
-            Traversal::Wide(method) => return Err(Unfitting::Wide(method).into()),
-            Traversal::Binary(_) if self.accuracy != Accuracy::Exact => {
-                return Err(Unfitting::Double(self.accuracy).into());
-            }
+        if self.accuracy != Accuracy::Exact {
+            return Err(Unfitting::Double(self.accuracy).into());
+        }
+        let method = match self.method.unwrap_or(Traversal::Wide(wide::Method::default())) {
+            Traversal::Wide(method) => return self.by_wide(method, scene, rays),
             Traversal::Binary(method) => method,
         };
         let bvh = Build::chosen(self.build, &[method]).run(scene)?;
         let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Wide>();
         let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
         Ok(Traced { method: method.name(), hits })
+    }
+
+    fn by_wide<V: Precision + Position>(
+        &self,
+        method: wide::Method,
+        scene: &Scene<V>,
+        rays: &[Ray<V>],
+    ) -> Result<Traced<V::Real>, Box<dyn Error>> {
+        let bvh = self.build.unwrap_or_default().run_wide(scene)?;
+        let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
+        let each = |rays: &[Ray<V>]| if self.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
+        Ok(Traced { method: method.name(), hits: in_chunks(rays, each) })
     }
 
     /// What the extension of a file says; without one, what the option says.

@@ -137,6 +137,12 @@ impl Reader<'_> {
 
     pub(crate) fn method(&mut self, frame: &mut Frame, on: Value, name: &str, with: &[Value]) -> Result<Value> {
         match (&on, name, with) {
+            // One of the library's own, of lanes.
+            (Value::Real(Some(format), _), ..) if let Ok(function) = self.source.method(lanes(*format), name, "") => {
+                let function = function.clone();
+                let arguments = std::iter::once(on.clone()).chain(with.iter().cloned()).collect::<Vec<_>>();
+                Ok(self.call(&function, &arguments)?.0)
+            }
             (Value::Real(format, x), ..) => {
                 let named = self.name("x", &Value::Real(*format, x.clone()), false)?;
                 let Value::Real(_, x) = named else { return Err("a number that is none".into()) };
@@ -221,5 +227,13 @@ impl Reader<'_> {
             }
             _ => Err(format!("the method {name} of {}", on.kind())),
         }
+    }
+}
+
+/// Four numbers.
+const fn lanes(format: Format) -> &'static str {
+    match format {
+        Format::Single => "f32x4",
+        Format::Double => "f64x4",
     }
 }

@@ -21,6 +21,7 @@ const FILES: &[&str] = &[
     "src/geom/kernel/exact/sum.rs",
     "src/geom/lanes/block.rs",
     "src/geom/lanes/boxes.rs",
+    "src/geom/lanes/precision.rs",
     "src/geom/lanes/triangles.rs",
     "src/geom/nearest.rs",
     "src/geom/ray.rs",

@@ -966,15 +966,15 @@ Definition TriangleRay_survivors (self_origin_0 self_origin_1 self_origin_2 self
       self_direction_2 q_2) in
   let t := plus single (plus single (times single e2_0 q_0) (times single e2_1 q_1)) (times single e2_2 q_2) in
   let w := minus single (minus single det u) v in
-  let delta := times single (times single self_edge block_edges) (plus single self_twice_c block_edges) in
   let x := if less single u v then u else v in
-  let x'3 := if less single v u then u else v in
-  let is_missed := andb (less single (if less single x w then x else w) (opposite single delta)) (less single delta (if less single w
-      x'3 then x'3 else w)) in
+  let x'2 := if less single v u then u else v in
+  let least := if less single x w then x else w in
+  let most := if less single w x'2 then x'2 else w in
+  let delta := times single (times single self_edge block_edges) (plus single self_twice_c block_edges) in
+  let is_missed := andb (less single least (opposite single delta)) (less single delta most) in
   let square := times single block_edges block_edges in
-  let ahead := if is_negative single det then opposite single t else t in
-  let is_beyond := less single (times single (plus single (absolute single det) (times single self_det square)) best) (minus single
-      ahead (times single self_t square)) in
+  let is_beyond := less single (times single (plus single (absolute single det) (times single self_det square)) best) (minus single (if
+      is_negative single det then opposite single t else t) (times single self_t square)) in
   negb (orb is_missed is_beyond).
 
 (** [nearest] of src/geom/nearest.rs. *)

@@ -1,9 +1,9 @@
 //! The slab test of all boxes of a node.
 
-use fearless_simd::{Simd, SimdMask, f32x8};
+use fearless_simd::{Simd, SimdMask};
 use glam::{Vec3, Vec4};
 
-use super::{Lanes, NodeBoxes};
+use super::Lanes;
 use crate::geom::slabs::directed::{is_beyond_single, reciprocals};
 use crate::geom::slabs::{FromEntrance, entered_if};
 use crate::geom::{Ray, Region};
@@ -109,23 +109,6 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     #[inline(always)]
     fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
         (Self::pick(self.simd, &planes[axis], side) - self.origin[axis]) * inverse[axis]
-    }
-}
-
-impl<S: Simd> NodeBoxes<S, Vec3> for BoxRay<S, f32x8<S>, 8> {
-    #[inline(always)]
-    fn new(simd: S, ray: &Ray, region: &Region) -> Self {
-        Self::new(simd, ray, region)
-    }
-
-    #[inline(always)]
-    fn end(&self, t: f32) -> f32 {
-        t
-    }
-
-    #[inline(always)]
-    fn enter(&self, planes: &[[[f32; 8]; 2]; 3], end: f32) -> (f32x8<S>, u32) {
-        self.enter(planes, end)
     }
 }
 

@@ -22,13 +22,13 @@ const MAX_TURN: f64 = power_of_two(-10);
 impl<S: Simd> TriangleRay<S, DVec3> {
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
     #[inline(always)]
-    pub fn double(simd: S, ray: &Ray<DVec3>, region: &Region) -> Self {
+    pub(super) fn double(simd: S, ray: &Ray<DVec3>, region: &Region) -> Self {
         Self::double_with(simd, [ray.origin(), ray.direction()], region, CONSTANTS.map(f64::from))
     }
 
     /// Prepares a ray that is known within bounds. Rejected is what all rays within them miss, or meet beyond. `[LANES-5]`
     #[inline(always)]
-    pub fn double_enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
+    pub(super) fn double_enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
         let ((origin, moved), (direction, turned)) =
             (Interval::middles(&ray.origin), Interval::middles(&ray.direction));
         let is_usual = origin.is_finite()

@@ -155,6 +155,23 @@ impl Precision for DVec3 {
     }
 }
 
+impl<S: Simd> NodeBoxes<S, Vec3> for BoxRay<S, f32x8<S>, 8> {
+    #[inline(always)]
+    fn new(simd: S, ray: &Ray, region: &Region) -> Self {
+        Self::new(simd, ray, region)
+    }
+
+    #[inline(always)]
+    fn end(&self, t: f32) -> f32 {
+        t
+    }
+
+    #[inline(always)]
+    fn enter(&self, planes: &[[[f32; 8]; 2]; 3], end: f32) -> (f32x8<S>, u32) {
+        self.enter(planes, end)
+    }
+}
+
 impl<S: Simd> FourLanes<S, f32> for f32x4<S> {
     #[inline(always)]
     fn turned(self, others: Self) -> Self {

@@ -30,7 +30,6 @@ macro_rules! needs {
     };
 }
 needs! {
-    Doubles: "double precision", "The boxes and triangles of a wide tree are in single precision.";
     Shapes: "other shapes", "The leaves of a wide tree hold triangles, four in a block.";
     Tests: "inexact tests", "Wide trees are traced by exact tests alone.";
     Traversal: "a binary traversal", "A traversal of binary trees runs on binary trees.";
@@ -45,7 +44,7 @@ needs! {
 /// use stackless_bvh::trace::{Choice, Need};
 ///
 /// assert!(Choice::for_needs(&[]).is_wide());
-/// let choice = Choice::for_needs(&[Need::Doubles]);
+/// let choice = Choice::for_needs(&[Need::Shapes]);
 /// assert_eq!(choice.tracer(), "BinaryTracer");
 /// println!("{}", choice.reasons()[0]);
 /// ```

@@ -12,13 +12,10 @@ use cpu_time::ThreadTime;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 use serde_json::json;
-use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, WideBvh};
+use stackless_bvh::bvh::{BuildOptions, Builder, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::slabs::Wide;
-use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray, Triangle};
-use stackless_bvh::trace::{BinaryTracer, Tracer};
-use stackless_bvh::traverse::Method;
+use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray};
+use stackless_bvh::trace::Tracer;
 
 use crate::Outcome;
 use crate::output::{Block, bar, print, table};
@@ -264,8 +261,7 @@ fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
     let rays = |rays: &[Ray]| rays.iter().map(wide).collect::<Result<Vec<_>, _>>();
     let (hard, ordinary) = (rays(hard)?, rays(&procedural::rays(mesh, 1, QUERIES))?);
     let vertices = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
-    let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(vertices, mesh.triangles().to_vec())?)?;
-    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
+    let tracer = Tracer::of(&Mesh::<DVec3>::new(vertices, mesh.triangles().to_vec())?)?;
     Ok(queries(
         tracer,
         hard,
@@ -348,8 +344,7 @@ fn origins_afar() -> impl Iterator<Item = Vec3> {
 fn nearest_from_afar_64() -> Made {
     let mesh = sphere()?;
     let wide = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
-    let bvh: Bvh<Triangle<DVec3>> = BuildOptions::default().build(&Mesh::new(wide, mesh.triangles().to_vec())?)?;
-    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(bvh, Method::default())?;
+    let tracer = Tracer::of(&Mesh::new(wide, mesh.triangles().to_vec())?)?;
     let ordinary = procedural::rays(&mesh, 1, QUERIES).iter().map(|ray| ray.origin().as_dvec3()).collect::<Vec<_>>();
     let hard = origins_afar().map(Vec3::as_dvec3).flat_map(|o| [o, o * o.length().powi(7)]);
     let balls = |points: Vec<DVec3>| points.into_iter().map(Ball::around).collect::<Result<_, _>>();
