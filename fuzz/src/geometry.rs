@@ -4,8 +4,8 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
-use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, TwoSided, Wide};
 use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, TwoSided, Wide};
 use stackless_bvh::geom::{Aabb, Mesh, Ray, Triangle, Vector};
 use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 

@@ -31,10 +31,7 @@ pub(crate) fn builders(bytes: &[u8]) {
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..options };
         if let Some(bvh) = built(options.build(&mesh), options) {
-            right(
-                check_tree(&bvh, &mesh, &rays),
-                format_args!("{options:?}\n{mesh:?}\n{rays:?}"),
-            );
+            right(check_tree(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
         }
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use stackless_bvh::bvh::{BuildError, BuildOptions, WideBvh};
+use stackless_bvh::bvh::{BuildError, BuildOptions};
 use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Mesh, Ray, check_environment};
 use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
@@ -16,7 +16,7 @@ use crate::batch::{in_background, in_pieces};
 use crate::errors::{failed, refused};
 use crate::queries::{Found, HitArrays, room};
 use crate::scene::Scene;
-use crate::space::{Answers, Space};
+use crate::space::{Answers, Single, Space};
 
 /// Scenes in single precision and groups of them, placed by affine maps.
 #[pyclass(frozen, module = "stackless_bvh._native")]
@@ -35,7 +35,7 @@ struct Group {
 }
 
 enum Part {
-    Mesh(Arc<WideBvh>),
+    Mesh(Arc<Single>),
     Group(Arc<Group>),
 }
 
@@ -101,7 +101,7 @@ impl Instances {
         rays: [Bound<'py, PyAny>; 4],
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyArray2<i64>>, HitArrays<'py, f32>)> {
-        let (rays, levels) = (Rays::<WideBvh>::new(rays.each_ref())?, self.group.levels);
+        let (rays, levels) = (Rays::<Single>::new(rays.each_ref())?, self.group.levels);
         let (mut paths, mut found) = (room(rays.len() * levels)?, Found::with_room(rays.len())?);
         let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.closest(ray)).map_err(failed);
         in_pieces(
@@ -131,7 +131,7 @@ impl Instances {
         rays: [Bound<'py, PyAny>; 4],
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let rays = Rays::<WideBvh>::new(rays.each_ref())?;
+        let rays = Rays::<Single>::new(rays.each_ref())?;
         let mut found = room(rays.len())?;
         let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.any(ray)).map_err(failed);
         in_pieces(py, rays.len(), progress.as_ref(), |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
@@ -152,7 +152,7 @@ impl Source {
         match self {
             Self::Mesh(mesh) => {
                 let BuildOptions { builder, reinsertion, .. } = BuildOptions::default();
-                Ok(Part::Mesh(Arc::new(<WideBvh as Space>::build(&mesh, (builder, reinsertion), tell)?)))
+                Ok(Part::Mesh(Arc::new(<Single as Space>::build(&mesh, (builder, reinsertion), tell)?)))
             }
             Self::Group(group) => Ok(Part::Group(group)),
         }

@@ -6,14 +6,14 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use stackless_bvh::bvh::{Builder, Stored, WideBvh};
+use stackless_bvh::bvh::{Builder, Stored};
 use stackless_bvh::geom::Mesh;
 
 use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
 use crate::batch::in_background;
 use crate::closed::Edges;
 use crate::errors::refused;
-use crate::space::{Double, Space};
+use crate::space::{Double, Single, Space};
 use crate::{file, queries};
 
 /// A mesh with its hierarchy.
@@ -24,7 +24,7 @@ pub(crate) struct Scene {
 
 /// In single or in double precision.
 enum Either {
-    Single(Box<Held<WideBvh>>),
+    Single(Box<Held<Single>>),
     Double(Box<Held<Double>>),
 }
 
@@ -41,7 +41,7 @@ macro_rules! either {
     ($scene:expr, $held:ident, $space:ident => $run:expr) => {
         match &$scene.held {
             Either::Single($held) => {
-                type $space = WideBvh;
+                type $space = Single;
                 $run
             }
             Either::Double($held) => {
@@ -69,8 +69,8 @@ impl Scene {
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let (how, progress) = (options(build)?, progress.as_ref());
-        let held = if dtype == WideBvh::DTYPE {
-            Either::Single(Box::new(Held::build(py, mesh::<WideBvh>(vertices, faces)?, how, progress)?))
+        let held = if dtype == Single::DTYPE {
+            Either::Single(Box::new(Held::build(py, mesh::<Single>(vertices, faces)?, how, progress)?))
         } else {
             Either::Double(Box::new(Held::build(py, mesh::<Double>(vertices, faces)?, how, progress)?))
         };

@@ -53,8 +53,6 @@ pub(crate) trait Space: Sized + Send + Sync {
     /// `tell` hears how many faces have found their place since it was last called.
     fn build(mesh: &Mesh<Self::Vector>, how: (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
-    /// Memory in bytes.
-    fn bytes(&self) -> usize;
     fn to_bytes(&self) -> Vec<u8>;
     /// The hierarchy that bytes are, if it is one over this mesh.
     fn from_bytes(bytes: &[u8], mesh: &Mesh<Self::Vector>) -> PyResult<Self>;
@@ -67,7 +65,10 @@ pub(crate) trait Space: Sized + Send + Sync {
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
 
-/// A hierarchy over a mesh in double precision.
+/// A hierarchy over a mesh in single precision.
+pub(crate) type Single = WideBvh;
+
+/// The same in double precision.
 pub(crate) type Double = WideBvh<8, DVec3>;
 
 impl<V: Precision + Stored> Space for WideBvh<8, V>
@@ -85,10 +86,6 @@ where
 
     fn refit(&mut self, mesh: &Mesh<V>) -> PyResult<()> {
         self.refit(mesh).map_err(of_refit)
-    }
-
-    fn bytes(&self) -> usize {
-        self.bytes()
     }
 
     fn to_bytes(&self) -> Vec<u8> {

@@ -165,14 +165,13 @@ impl<V: Stored> Bvh<Triangle<V>> {
     /// [`BvhFileError`].
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, BvhFileError> {
         let field = |name, value| BvhFileError::Field { name, value };
-        let (header, body) =
-            opened(bytes, MAGIC, |&[_, found, _, _, _, nodes, leaves, triangles, ..]: &[u32; 16]| {
-                let expected = V::REAL_BYTES;
-                if found != expected {
-                    return Err(BvhFileError::Numbers { expected, found });
-                }
-                Ok(file_bytes::<V>(nodes, leaves, triangles))
-            })?;
+        let (header, body) = opened(bytes, MAGIC, |&[_, found, _, _, _, nodes, leaves, triangles, ..]: &[u32; 16]| {
+            let expected = V::REAL_BYTES;
+            if found != expected {
+                return Err(BvhFileError::Numbers { expected, found });
+            }
+            Ok(file_bytes::<V>(nodes, leaves, triangles))
+        })?;
         let [_, _, recorded, root, depth, nodes, leaves, triangles, dropped, duplicates, bounds @ ..] = header;
         let recorded = *RECORDED.get(recorded as usize).ok_or(field("recorded", recorded))?;
         if dropped > Node::MAX_INDEX {

@@ -28,11 +28,11 @@ pub(super) use turns::with_memory;
 
 /// Answers queries over a hierarchy of eight children, exactly: the library's front door.
 ///
-/// It is the fastest of this library, and so it is for meshes in single precision only.
-/// [`BinaryTracer`](super::BinaryTracer) is for double precision, for other shapes, for other tests and for the
-/// traversals of binary trees; its answers are the same, bit for bit. `[DET-1]`
+/// It is the fastest of this library, in single and in double precision. [`BinaryTracer`](super::BinaryTracer) is for
+/// other shapes, for other tests and for the traversals of binary trees; its answers are the same, bit for bit. `[DET-1]`
 ///
-/// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one. Each query is there for one ray, for
+/// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one, and `V` the precision, [`Vec3`] or
+/// [`DVec3`](glam::DVec3). Each query is there for one ray, for
 /// a slice on this thread (`_each`), and for a slice on all threads (`_parallel`). Of several rays two are traced in
 /// turns, so that one computes while the other waits for memory.
 ///
@@ -46,6 +46,14 @@ pub(super) use turns::with_memory;
 /// let hit = tracer.closest(&ray).ok_or("a miss")?;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
 /// assert_eq!(tracer.any_each(&[ray, ray]), [true, true]);
+///
+/// // In double precision, on the earth.
+/// use glam::DVec3;
+/// let [x, y, z] = DVec3::AXES;
+/// let at = DVec3::splat(6.4e6);
+/// let mesh = Mesh::new(vec![at, at + x, at + y], vec![[0, 1, 2]])?;
+/// let hit = Tracer::of(&mesh)?.closest(&Ray::new(at + (x + y) * 0.25 - z, z)?).ok_or("a miss")?;
+/// assert_eq!((hit.t, hit.u), (1.0, 0.25));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Tracer<T = WideBvh, V = Vec3> {
@@ -316,7 +324,12 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         answer.unwrap_or(None)
     }
 
-    fn each<A: Clone + Default>(&self, rays: &[Ray<V>], ask: Ask, answer: impl Fn(Option<Hit<V::Real>>) -> A) -> Vec<A> {
+    fn each<A: Clone + Default>(
+        &self,
+        rays: &[Ray<V>],
+        ask: Ask,
+        answer: impl Fn(Option<Hit<V::Real>>) -> A,
+    ) -> Vec<A> {
         let mut answers = vec![A::default(); rays.len()];
         self.run_fit(rays, ask, &mut |i, hit| answers[i] = answer(hit));
         answers

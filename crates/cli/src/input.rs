@@ -104,7 +104,9 @@ pub(crate) fn names<T: Copy + Send + Sync + 'static>(
 }
 
 /// The same, where each name comes with its help.
-pub(crate) fn listed<T: Copy + Send + Sync + 'static>(all: Vec<(PossibleValue, T)>) -> impl TypedValueParser<Value = T> {
+pub(crate) fn listed<T: Copy + Send + Sync + 'static>(
+    all: Vec<(PossibleValue, T)>,
+) -> impl TypedValueParser<Value = T> {
     let values: Vec<_> = all.iter().map(|(value, _)| value.clone()).collect();
     PossibleValuesParser::new(values).try_map(move |name| {
         let found = all.iter().find(|(value, _)| value.get_name() == name);

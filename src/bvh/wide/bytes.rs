@@ -65,7 +65,11 @@ impl<const A: usize, V: Precision + Stored> WideBvh<A, V> {
                 return Err(FileError::Field { name: "slots", value: slots });
             }
             let (expected, found) = (V::REAL_BYTES, if slots & DOUBLE == 0 { 4 } else { 8 });
-            if found == expected { Ok(file_bytes::<A, V>(nodes, blocks)) } else { Err(FileError::Numbers { expected, found }) }
+            if found == expected {
+                Ok(file_bytes::<A, V>(nodes, blocks))
+            } else {
+                Err(FileError::Numbers { expected, found })
+            }
         })?;
         let [_, _, levels, node_count, _, triangles, duplicates] = header;
         let (frame, body) = body.split_at(frame_bytes::<V>());

@@ -166,7 +166,8 @@ impl<'a, V: Vector> Source<'a, V> {
                 // A leaf's box may hold only parts of its triangles: then other leaves hold the others.
                 let half = |triangles: Range<u32>| {
                     let held = &self.bvh.triangles()[triangles.start as usize..triangles.end as usize];
-                    let around = held.iter().fold(Aabb::EMPTY, |around, held| around.union(self.bvh.frame().aabb(&held.shape)));
+                    let around =
+                        held.iter().fold(Aabb::EMPTY, |around, held| around.union(self.bvh.frame().aabb(&held.shape)));
                     (Below::Part(triangles), around.intersection(aabb))
                 };
                 [half(start..middle), half(middle..end)]

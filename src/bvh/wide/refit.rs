@@ -57,7 +57,8 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
                     continue;
                 }
                 let child = node.child(slot);
-                let aabb = if child.is_leaf() { self.leaf_box(leaf_parts(child), mesh.frame()) } else { own[child.index()] };
+                let aabb =
+                    if child.is_leaf() { self.leaf_box(leaf_parts(child), mesh.frame()) } else { own[child.index()] };
                 self.nodes[index].set_child_box(slot, &aabb);
                 own[index] = own[index].union(aabb);
             }

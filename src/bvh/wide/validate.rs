@@ -214,8 +214,7 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
             }
             let boxes: Vec<_> =
                 held.iter().map(|&(_, node, slot, _)| self.nodes[node as usize].child_box(slot)).collect();
-            if !boxes.iter().any(|aabb| aabb.encloses(&frame.aabb(&triangle)))
-                && !cover::hold(frame, &boxes, &triangle)
+            if !boxes.iter().any(|aabb| aabb.encloses(&frame.aabb(&triangle))) && !cover::hold(frame, &boxes, &triangle)
             {
                 return Err(WideBvhError::Uncovered(prim));
             }

@@ -67,7 +67,11 @@ fn frames_are_about_medians() {
     let unit = [DVec3::ZERO, DVec3::X, DVec3::Y * 5.0];
     for shift in [0.0, 9.0, -1e9, 1e300] {
         let frame = Frame::around(unit.map(|v| v + shift));
-        assert_eq!((frame.origin(), shift.abs() > 1e20 || frame.exponent() == 2), (DVec3::splat(shift), true), "{shift}");
+        assert_eq!(
+            (frame.origin(), shift.abs() > 1e20 || frame.exponent() == 2),
+            (DVec3::splat(shift), true),
+            "{shift}"
+        );
     }
     assert!(Frame::around([]).is_identity() && Frame::around([DVec3::ZERO; 3]).is_identity());
     assert_eq!(Frame::around(unit.map(|v| v * 2f64.powi(100))).exponent(), 102);
@@ -75,7 +79,10 @@ fn frames_are_about_medians() {
     let many = (0..100_000).map(|i| DVec3::splat(if i < 60_000 { f64::from(i) } else { 1e9 }));
     assert!((49_900.0..50_100.0).contains(&Frame::around(many).origin().x));
     // The range of doubles is no limit.
-    assert_eq!(Frame::around([DVec3::splat(f64::MAX), DVec3::splat(f64::MIN), DVec3::splat(f64::MIN)]).exponent(), 1000);
+    assert_eq!(
+        Frame::around([DVec3::splat(f64::MAX), DVec3::splat(f64::MIN), DVec3::splat(f64::MIN)]).exponent(),
+        1000
+    );
     assert_eq!(Frame::new(DVec3::NAN, 0).or(Frame::new(DVec3::ZERO, 1001)).or(Frame::new(DVec3::ZERO, i32::MIN)), None);
 }
 

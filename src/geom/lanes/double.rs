@@ -313,3 +313,6 @@ impl<'a> LazyExact64<'a> {
         self.exact().blocks(&block.triangle(lane))
     }
 }
+
+#[cfg(test)]
+mod tests;

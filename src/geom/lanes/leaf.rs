@@ -229,13 +229,7 @@ impl<'a> Hits<'a, Vec3> for LazyExact<'a> {
     }
 
     #[inline(always)]
-    fn any<S: Simd>(
-        &mut self,
-        simd: S,
-        filter: &TriangleRay<S>,
-        blocks: &'a [Block],
-        count: u32,
-    ) -> Option<Nearest> {
+    fn any<S: Simd>(&mut self, simd: S, filter: &TriangleRay<S>, blocks: &'a [Block], count: u32) -> Option<Nearest> {
         let prim = self.any(simd, filter, blocks, count)?;
         Some(Nearest { prim, ..Nearest::none(self.ray) })
     }

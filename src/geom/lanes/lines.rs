@@ -2,8 +2,8 @@
 
 use fearless_simd::Simd;
 
-use super::boxes::{BoxRay, lane_numbers};
 use super::Lanes;
+use super::boxes::{BoxRay, lane_numbers};
 
 /// Lines that bound a ray from both sides, prepared for `A` boxes at once: 4 or 8. `[INST-4]`
 ///

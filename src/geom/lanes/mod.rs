@@ -3,7 +3,7 @@
 //! Wide hierarchies ([`bvh::wide`](crate::bvh::wide)) are traced by these. Instructions are those of
 //! [`fearless_simd`]; the level is chosen by the caller. All functions are inlined always, so that they are compiled
 //! for the level of whoever calls them. The box test gives the same bits on all levels; the filter of triangles rejects
-//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-5]`.
+//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-7]`.
 //!
 //! ```
 //! use fearless_simd::{Level, Simd, dispatch, f32x8};

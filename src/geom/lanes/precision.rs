@@ -105,11 +105,7 @@ pub trait Hits<'a, V: Precision>: Debug {
     fn distance<S: Simd>(&mut self, simd: S, nearest: &Self::Nearest) -> V::Real;
 
     /// Distance and weights of the hit that was found last; `ANY` if by [`any`](Self::any).
-    fn whole<S: Simd, const ANY: bool>(
-        &mut self,
-        simd: S,
-        nearest: &Self::Nearest,
-    ) -> Option<(V::Real, [V::Real; 2])>;
+    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: &Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
 }
 
 impl Precision for Vec3 {

@@ -37,12 +37,7 @@ pub(super) type HitOf<V> = Hit<<V as crate::geom::Vector>::Real>;
 impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, ANY> {
     /// For the ray of `hits`.
     #[inline(always)]
-    pub(super) fn new(
-        simd: S,
-        bvh: &'a WideBvh<8, V>,
-        tree: WideTree<'a, 8, V>,
-        hits: &'m mut V::Hits<'a>,
-    ) -> Self {
+    pub(super) fn new(simd: S, bvh: &'a WideBvh<8, V>, tree: WideTree<'a, 8, V>, hits: &'m mut V::Hits<'a>) -> Self {
         let (boxes, filter, nearest) = (V::Boxes::new(simd, hits.ray(), bvh.region()), hits.filter(simd), hits.none());
         let end = boxes.end(V::Hits::end(&nearest));
         Self { simd, bvh, tree, boxes, filter, hits, nearest, end }

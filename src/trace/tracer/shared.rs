@@ -48,11 +48,7 @@ pub(super) fn check<V: Precision>(method: Method, Job { bvh, tables, .. }: Job<'
 }
 
 /// The closest hit of a ray, or any.
-pub(super) fn trace<V: Precision>(
-    method: Method,
-    job: Job<'_, V>,
-    ray: &Ray<V>,
-) -> Result<Option<HitOf<V>>, Unfit> {
+pub(super) fn trace<V: Precision>(method: Method, job: Job<'_, V>, ray: &Ray<V>) -> Result<Option<HitOf<V>>, Unfit> {
     match job.ask {
         Ask::Closest | Ask::Distance => trace_by::<V, false>(method, job, ray),
         Ask::Any | Ask::AnyHit => trace_by::<V, true>(method, job, ray),

@@ -82,7 +82,10 @@ fn has_copy<V: Precision>(method: Method) -> bool {
 
 /// By the copies that there are.
 #[inline(always)]
-fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(method: Method, context: X) -> Result<X::Output, Unfit> {
+fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(
+    method: Method,
+    context: X,
+) -> Result<X::Output, Unfit> {
     if V::HAS_ALL_COPIES { method.dispatch(context) } else { Method::recorded(context) }
 }
 
@@ -167,10 +170,7 @@ impl<'t, V: Precision, const ANY: bool> Context<'t, 8, WideBvh<8, V>> for Severa
     type Output = ();
 
     #[inline(always)]
-    fn run<C: Cursor<8>>(
-        self,
-        start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unfit>,
-    ) -> Result<(), Unfit> {
+    fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unfit>) -> Result<(), Unfit> {
         let Self { job, rays, answer, memory: [first, second] } = self;
         let Job { bvh: tree, tables, level, .. } = job;
         let cursors = [start(Supply { tree, tables, memory: first })?, start(Supply { tree, tables, memory: second })?];

@@ -31,7 +31,9 @@ fn check<V: Precision>(mesh: &Mesh<V>, powers: impl Iterator<Item = i32>) {
     let trees = trees(mesh);
     let tracers: Vec<_> = trees
         .iter()
-        .flat_map(|bvh| Method::ALL.iter().filter_map(move |&m| BinaryTracer::<_, V::Exact, V::Slabs>::with_tests(bvh, m).ok()))
+        .flat_map(|bvh| {
+            Method::ALL.iter().filter_map(move |&m| BinaryTracer::<_, V::Exact, V::Slabs>::with_tests(bvh, m).ok())
+        })
         .collect();
     for power in powers {
         let point = afar(mesh, &mut random, power);

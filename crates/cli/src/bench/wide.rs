@@ -123,4 +123,3 @@ impl Contestant for Runner<'_> {
         self.tree.build_seconds
     }
 }
-

@@ -6,6 +6,7 @@
 
 use glam::DVec3;
 
+use super::double::USUAL;
 use super::filter::Errors;
 use super::{two_product, two_sum};
 use crate::geom::frame::power_of_two;
@@ -13,9 +14,6 @@ use crate::geom::frame::power_of_two;
 /// What the products with a residual may be off by: these many times what the residual and the way to the hit are, in
 /// units and squares of units of 2^-53, times E E for the distance and D E for the weights.
 const OFF: [f64; 2] = [64.0 * power_of_two(-53), 384.0 * power_of_two(-106)];
-
-/// Numbers of which no product under- or overflows.
-const ROOM: [f64; 2] = [power_of_two(-100), power_of_two(100)];
 
 /// Distance and weights of a line that certainly meets a triangle, each where it is certain what it is rounded to.
 #[derive(Clone, Copy, Debug, Default)]
@@ -34,8 +32,8 @@ impl Corrected {
         let [t, u, v] = [s.dot(n) / det, s.dot(p) / det, s.dot(m) / det];
         let [length, c, e] = [d.abs(), s.abs(), e1.abs().max(e2.abs())].map(DVec3::max_element);
         let far = c + t.abs() * length + (u.abs() + v.abs()) * e;
-        let [least, most] = ROOM;
-        if !(length.min(far).min(e) >= least && length.max(far).max(e) <= most) {
+        // Not so for a NaN.
+        if !(length.min(far).min(e) >= *USUAL.start() && length.max(far).max(e) <= *USUAL.end()) {
             return Self::default();
         }
         let residual = |k: usize| {

@@ -8,7 +8,9 @@
 //!    of any smallness. Nothing overflows. The bound is above 2^-646, while underflow adds at most 2^-1074 to a
 //!    component of a cross product, and less than 2^-868 to an edge function and the determinant together.
 //! 2. Bounds for the triangle, if its longest edge too is within 2^-200 to 2^200: the same holds.
-//! 3. Distance and weights in twice the precision of doubles ([`fine`]), with bounds: nearly always they round alike.
+//! 3. Distance and weights of a certain hit by quotients that are corrected by what they leave ([`corrected`](super::corrected)),
+//!    where the way to the hit is within 2^-200 to 2^200 too. `[EXACT-14]` What these leave open, in twice the precision of doubles
+//!    ([`fine`]), with bounds: nearly always they round alike.
 //!    A line that certainly meets the triangle does so at a distance below 2^450; where the distance as computed
 //!    underflows, its bounds are above 2^-502 apart, because the error of the numerator is above 2^-50 C E E and the
 //!    determinant at most 4 D E E.

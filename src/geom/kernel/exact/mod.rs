@@ -5,7 +5,8 @@
 //!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle; a search asks a [`TriangleFilter`]
 //!    first, about four at once.)
 //! 2. The same with error bounds for this triangle, or with none where nothing is rounded. `[EXACT-11]`
-//! 3. Twice the digits of a double, with bounds. `[EXACT-10]`
+//! 3. Twice the digits of a double, with bounds. `[EXACT-10]` In double precision, before that, a quotient that is corrected
+//!    by what it leaves. `[EXACT-14]`
 //! 4. Exact sums ([`Accumulator`]), for what is left.
 //!
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision

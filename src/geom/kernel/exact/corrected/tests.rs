@@ -5,7 +5,8 @@ use crate::geom::truth::{self, Point};
 
 /// Rays through triangles, with numbers of all digits.
 fn aimed(rng: &mut Rng) -> ([DVec3; 3], DVec3, DVec3) {
-    let mut number = || (rng.below(1 << 53) as f64 / (1_u64 << 52) as f64 - 1.0) * power_of_two(rng.below(8) as i32 - 4);
+    let mut number =
+        || (rng.below(1 << 53) as f64 / (1_u64 << 52) as f64 - 1.0) * power_of_two(rng.below(8) as i32 - 4);
     let [a, b, c, o] = [(); 4].map(|()| DVec3::new(number(), number(), number()));
     let [x, y] = [number(), number()].map(|x| x.abs().min(0.49));
     let d = (a + (b - a) * x + (c - a) * y - o) * number();
