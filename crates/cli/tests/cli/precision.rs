@@ -52,7 +52,7 @@ fn a_survey_is_traced_as_it_is() {
     };
     let double = trace("");
     assert_eq!(right_faces(&double.stdout), CELLS * CELLS, "{double:?}");
-    assert!(double.stderr.contains("by afra, exact, in double precision\n"), "{double:?}");
+    assert!(double.stderr.contains("by wide-record, exact, in double precision\n"), "{double:?}");
     assert_eq!(trace("--double").stdout, double.stdout);
     let single = trace("--single");
     assert_eq!(right_faces(&single.stdout), 0, "{single:?}");
@@ -93,8 +93,6 @@ fn what_double_precision_does_not_have_is_refused_by_its_name() {
     let folder = Folder::new();
     let rays = folder.file("rays.csv", "0,0,5,0,0,-1\n");
     for (options, message) in [
-        ("--method wide-record", "--method wide-record: wide trees are for single precision; add --single"),
-        ("--double --method wide-stack", "--method wide-stack: wide trees are for single precision; add --single"),
         ("--accuracy fast", "--accuracy fast: double precision is always exact; add --single"),
         ("--accuracy precise --method hashed", "--accuracy precise: double precision is always exact; add --single"),
     ] {

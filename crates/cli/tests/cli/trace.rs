@@ -125,7 +125,8 @@ fn the_default_is_the_fastest_traversal_that_is_as_exact_as_asked() {
     let folder = Folder::new();
     let (rays, out) = (folder.file("rays.csv", "0.5,0.5,-9,0,0,1,0,inf\n"), folder.path("hits.csv"));
     for (options, by) in [
-        ("", "by afra, exact, in double precision"),
+        ("", "by wide-record, exact, in double precision"),
+        ("--method wide-hashed", "by wide-hashed, exact, in double precision"),
         ("--method hashed --double", "by hashed, exact, in double precision"),
         ("--single", "by wide-record, exact, in single precision"),
         ("--single --accuracy fast", "by afra, fast, in single precision"),
