@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::precision::Hits;
 use super::triangles::{CONSTANTS, Found, OFF, OFF_EDGE};
-use super::{Block, LaneSet, Level, TriangleRay, filled};
+use super::{Block, LaneSet, TriangleRay, filled};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Corrected, EDGE, Exact64, QUOTIENT, USUAL};
 use crate::geom::{EnclosedRay, Interval, Kernel as _, Once, Ray, Region, Triangle};
@@ -88,7 +88,7 @@ impl<S: Simd> TriangleRay<S, DVec3> {
 #[inline(always)]
 fn is_fused<S: Simd>(simd: S) -> bool {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    let is_fused = matches!(simd.level(), Level::Avx2(_));
+    let is_fused = matches!(simd.level(), super::Level::Avx2(_));
     #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
     let is_fused = cfg!(target_arch = "aarch64") && !simd.level().is_fallback();
     is_fused

@@ -2,8 +2,8 @@ use fearless_simd::dispatch;
 
 use super::*;
 use crate::generate::{double, stress};
-use crate::geom::lanes::Precision as _;
 use crate::geom::lanes::tests::levels;
+use crate::geom::lanes::{Level, Precision as _};
 use crate::geom::tests::exact;
 use crate::geom::truth;
 use crate::geom::{Frame, Mesh};
