@@ -81,7 +81,7 @@ impl<const A: usize, V: Precision + Stored> WideBvh<A, V> {
         let own = |node: &WideNode<A>| (0..A as u32).map(|slot| node.child_box(slot)).fold(Aabb::EMPTY, Aabb::union);
         let region = match nodes.first() {
             Some(root) if root.children != [0; A] => Region::within(frame, &own(root)),
-            _ => *Self::empty().region(),
+            _ => Region::within(frame, Self::empty().region().bounds()),
         };
         let (triangles, duplicates) = (triangles as usize, duplicates as usize);
         let wide = Self { nodes, blocks, region, levels, triangles, duplicates, least: Least::default() };

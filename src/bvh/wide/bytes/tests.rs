@@ -1,11 +1,11 @@
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::*;
 use crate::bvh::bytes::tests::{patched, sealed};
 use crate::bvh::validate::tests::cut;
 use crate::bvh::{BuildOptions, Builder, Bvh, Degenerate, SpatialOptions};
-use crate::generate::{procedural, stress};
+use crate::generate::{double, procedural, stress};
 use crate::geom::Mesh;
 use crate::trace::Tracer;
 
@@ -21,12 +21,12 @@ fn wide<const A: usize>(mesh: &Mesh) -> WideBvh<A> {
     WideBvh::of(&Bvh::build(mesh).expect("a tree")).expect("small enough")
 }
 
-fn comes_back<const A: usize>(wide: &WideBvh<A>, mesh: &Mesh) {
+fn comes_back<const A: usize, V: Precision + Stored>(wide: &WideBvh<A, V>, mesh: &Mesh<V>) {
     let bytes = wide.to_bytes();
-    assert_eq!(bytes.len() as u64, file_bytes::<A, Vec3>(wide.nodes.len() as u32, wide.blocks.len() as u32));
-    let back = WideBvh::<A>::from_bytes(&bytes).expect("what was written");
+    assert_eq!(bytes.len() as u64, file_bytes::<A, V>(wide.nodes.len() as u32, wide.blocks.len() as u32));
+    let back = WideBvh::<A, V>::from_bytes(&bytes).expect("what was written");
     assert_eq!((&back.nodes, &back.blocks), (&wide.nodes, &wide.blocks));
-    let rest = |wide: &WideBvh<A>| (wide.levels, wide.triangles, wide.duplicates);
+    let rest = |wide: &WideBvh<A, V>| (wide.levels, wide.triangles, wide.duplicates);
     assert_eq!(rest(&back), rest(wide));
     assert_eq!(back.to_bytes(), bytes);
     assert_eq!(back.validate(mesh), Ok(()));
@@ -62,6 +62,21 @@ fn wide_hierarchies_come_back() {
     assert_eq!(nothing.to_bytes().len(), BODY_AT + node_bytes::<8>() + 8);
     let back = WideBvh::<8>::from_bytes(&nothing.to_bytes()).expect("what was written");
     assert_eq!((back.nodes, back.blocks), (nothing.nodes, nothing.blocks));
+}
+
+/// With their frames, which a tree of no triangles may have too. [FILE-6] [FILE-7]
+#[test]
+fn wide_hierarchies_in_double_precision_come_back() {
+    for place in double::PLACES {
+        let mesh = place.mesh(&procedural::soup(2, 500)).expect("a mesh");
+        let bvh = Bvh::build(&mesh).expect("a tree");
+        comes_back(&WideBvh::<8, _>::of(&bvh).expect("small enough"), &mesh);
+        comes_back(&WideBvh::<4, _>::of(&bvh).expect("small enough"), &mesh);
+        let mut nothing = WideBvh::<8, DVec3>::empty();
+        nothing.region = Region::within(*mesh.frame(), nothing.region.bounds());
+        let bytes = nothing.to_bytes();
+        assert_eq!(WideBvh::<8, DVec3>::from_bytes(&bytes).expect("what was written").to_bytes(), bytes);
+    }
 }
 
 /// [FILE-8]
