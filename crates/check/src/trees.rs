@@ -71,9 +71,10 @@ pub enum TreeFault {
 /// The first fault.
 pub fn check_tree<V: Precision>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>, rays: &[Ray<V>]) -> Result<usize, TreeFault> {
     validate(bvh, mesh)?;
-    WideBvh::<8, V>::of(bvh)?.validate(mesh)?;
+    let wide = WideBvh::of(bvh)?;
+    wide.validate(mesh)?;
     let prims: Vec<_> = (0..mesh.triangles().len() as u32).collect();
-    check_rays(bvh, mesh, &prims, rays)
+    check_rays(bvh, &wide, mesh, &prims, rays)
 }
 
 /// The same for a hierarchy of unknown origin, whose triangles are taken for the mesh. `[FILE-5]`
@@ -86,12 +87,13 @@ pub fn check_held<V: Precision>(bvh: &Bvh<Triangle<V>>, rays: &[Ray<V>]) -> Resu
     let held: BTreeMap<u32, [V; 3]> = bvh.triangles().iter().map(|held| (held.prim, held.shape.0)).collect();
     let vertices = held.values().flatten().copied().collect();
     let mesh = Mesh::new(vertices, (0..held.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())?;
-    check_rays(bvh, &mesh, &held.into_keys().collect::<Vec<_>>(), rays)
+    check_rays(bvh, &WideBvh::of(bvh)?, &mesh, &held.into_keys().collect::<Vec<_>>(), rays)
 }
 
 /// Rays against the truth of a mesh, whose triangles have these numbers in the hierarchy.
 fn check_rays<V: Precision>(
     bvh: &Bvh<Triangle<V>>,
+    wide: &WideBvh<8, V>,
     mesh: &Mesh<V>,
     prims: &[u32],
     rays: &[Ray<V>],
@@ -101,8 +103,7 @@ fn check_rays<V: Precision>(
     let (word, mut memory) = (WordName::narrowest(tree.depth()), Vec::new());
     let mut run =
         |query: &mut dyn Query| tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unfit);
-    let wide = WideBvh::<8, V>::of(bvh)?;
-    let tracer = Tracer::new(&wide);
+    let tracer = Tracer::new(wide);
     let (in_turns, in_turns_any) = (tracer.closest_each(rays), tracer.any_each(rays));
     let (truth, mut hits) = (Truth::new(mesh), 0);
     for (number, ray) in rays.iter().enumerate() {
