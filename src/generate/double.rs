@@ -5,16 +5,16 @@ use glam::{DVec3, Vec3};
 use super::draw::{Draw, one_of};
 use crate::geom::{Mesh, MeshError, Ray};
 
-/// What becomes of a scene in single precision: `(point * scale + shift)`, with other last digits or as it is.
+/// Moves a scene of single precision to somewhere else: `point * scale + shift`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Its name in reports.
     pub name: &'static str,
-    /// Added to all points after scaling.
+    /// Added to all points, after scaling.
     pub shift: DVec3,
-    /// What all lengths are multiplied by.
+    /// Factor of all lengths, before the shift.
     pub scale: f64,
-    /// Whether each coordinate of a corner is changed by some 1e-12 of itself: then no float of single precision is left.
+    /// Whether each coordinate of a corner is changed by up to 1e-12 of itself, so that single precision cannot hold it.
     pub is_perturbed: bool,
 }
 
@@ -54,9 +54,10 @@ impl Place {
 
 /// `n` adversarial rays for any mesh, the same for the same seed; fewer where numbers overflow.
 ///
-/// In turn: at random; at a corner, at the middle of an edge, at another point of an edge; up to exactly a corner; along an
-/// axis through a corner; from a point of the surface; within the plane of a triangle, from a corner; with a component of 0,
-/// up to a corner or beside it; with a direction of any length; with a component next to 0; and from up to 2^40 sizes away.
+/// In turn: at random; at a corner, at the middle of an edge, at another point of an edge; up to exactly a corner; along
+/// an axis through a corner; from a point of the surface; within the plane of a triangle, from a corner; with a component
+/// of 0, up to a corner or beside it; with a direction of any length; with a component next to 0; and from up to 2^40
+/// sizes away.
 pub fn aimed(mesh: &Mesh<DVec3>, seed: u64, n: usize) -> Vec<Ray<DVec3>> {
     let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for &v in mesh.vertices() {

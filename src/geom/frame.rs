@@ -24,7 +24,7 @@ pub struct Frame {
     exponent: i32,
 }
 
-/// Of so many points or fewer the median is taken.
+/// Number of points that a median is taken of, at most.
 const SAMPLES: usize = 4096;
 
 impl Frame {
@@ -143,7 +143,7 @@ impl Frame {
     }
 }
 
-/// Of some numbers.
+/// The median of at least one number.
 fn median(mut numbers: Vec<f64>) -> f64 {
     let middle = numbers.len() / 2;
     *numbers.select_nth_unstable_by(middle, f64::total_cmp).1

@@ -106,7 +106,7 @@ impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
         Self { bvh, measure, limit: Limit { distance: ball.radius(), prim: u32::MAX } }
     }
 
-    /// What the point is measured by.
+    /// Distances from the point.
     pub(super) fn measure(&self) -> &Measure<V> {
         &self.measure
     }

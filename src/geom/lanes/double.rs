@@ -103,15 +103,15 @@ pub struct Nearest64 {
     prim: u32,
 }
 
-/// The hits of a ray in double precision. What bounds of distances leave open is for the exact test, which is prepared
-/// for each such question: there are few.
+/// The hits of a ray in double precision. Where bounds of distances do not decide, the exact test
+/// does. It is prepared for each such question: there are few.
 #[derive(Clone, Debug)]
 pub struct LazyExact64<'a> {
     ray: &'a Ray<DVec3>,
     region: &'a Region,
     /// The block and the lane of the hit so far.
     found: Option<(&'a Block<DVec3>, usize)>,
-    /// What was asked last: many triangles may coincide.
+    /// The last question and its answer: many triangles may coincide.
     last: Once<Triangle<DVec3>, Option<f64>>,
 }
 

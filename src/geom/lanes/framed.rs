@@ -11,8 +11,8 @@ use crate::geom::{Ray, Region};
 
 /// A ray in double precision, prepared for the eight boxes of a node. `[BOX-8]`
 ///
-/// The test is that of [`EnclosedBoxes`](super::EnclosedBoxes), in the frame. What doubles do not tell of a ray is
-/// told box by box. `[BOX-9]`
+/// The test is that of [`EnclosedBoxes`](super::EnclosedBoxes), in the frame. Rays for which doubles are
+/// not enough are tested box by box. `[BOX-9]`
 #[derive(Clone, Debug)]
 pub struct FramedBoxes<S: Simd> {
     simd: S,

@@ -1,7 +1,6 @@
 //! Leaves: the filter of four triangles, then the exact test of what it leaves.
 
 use fearless_simd::Simd;
-
 use glam::Vec3;
 
 use super::{Block, Hits, Precision, TriangleRay};

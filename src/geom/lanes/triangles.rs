@@ -149,7 +149,7 @@ impl<S: Simd, V: Precision> TriangleRay<S, V> {
         Found { det, edges: [u.min(v).min(w), u.max(v).max(w)], t }
     }
 
-    /// What is left by its determinants.
+    /// The survivors, by their determinants.
     #[inline(always)]
     pub(super) fn left(&self, simd: S, block: &Block<V>, best: V::Real, found: &Found<V::Lanes<S>>) -> u32 {
         let Found { det, edges: [least, most], t } = *found;

@@ -20,12 +20,12 @@ pub(in crate::geom) struct Framed {
     pub(in crate::geom) backward: u32,
     /// Where it begins, in the units of the frame from the start on.
     pub(in crate::geom) tmin: f32,
-    /// What a distance is multiplied by for these units, at least; and the start in them.
+    /// The units in a distance of 1, at least; and the start in them.
     pub(in crate::geom) unit: f64,
     pub(in crate::geom) start: f64,
 }
 
-/// A ray that begins within so many reaches of the frame's origin is not taken to where it enters.
+/// A ray that begins within this many reaches of the frame's origin need not be moved to where it enters the region.
 const NEAR: f64 = 4.0;
 
 /// At least the distance to the next float, as a part of a number.
@@ -48,7 +48,7 @@ impl Framed {
         start: 0.0,
     };
 
-    /// Takes a ray into the frame. What doubles do not tell is told by [`Entered`], box by box.
+    /// Takes a ray into the frame. Where doubles are not enough, [`Entered`] tests box by box.
     #[inline(always)]
     pub(in crate::geom) fn new(ray: &Ray<DVec3>, region: &Region) -> Result<Self, Box<Entered>> {
         let (origin, reach) = (region.frame().rounded(ray.origin()), region.reach_in_frame());
@@ -128,7 +128,7 @@ impl Framed {
 /// Coordinates of a region that are neither huge nor tiny.
 const USUAL: RangeInclusive<f32> = power_of_two(-60) as f32..=power_of_two(60) as f32;
 
-/// Rounded to single precision, so many parts of a number are below it.
+/// A number times this, rounded to single precision, is below the number.
 const LESS: f64 = 1.0 - f32::EPSILON as f64;
 
 #[inline(always)]

@@ -1,8 +1,6 @@
 //! The rare queries: all hits, the next hit, crossings, and what is nearest to a point. As in binary hierarchies they
 //! share one copy of the traversals.
 
-use std::marker::PhantomData;
-
 use fearless_simd::{Simd, SimdBase, f32x8};
 
 use super::LaneRanks;
@@ -85,7 +83,7 @@ impl<S: Simd, V: Precision, const ANY: bool> Query for WideSearch<'_, '_, S, V, 
     }
 }
 
-/// What wants nothing.
+/// A query that wants no box.
 struct Nothing;
 
 impl Query for Nothing {
@@ -144,7 +142,6 @@ impl Search<8> for Shared<'_> {
 #[derive(Clone, Debug)]
 pub(super) struct LaneRay<S: Simd, V: Precision> {
     boxes: V::Boxes<S>,
-    simd: PhantomData<S>,
 }
 
 /// A ray among the boxes and triangles of a wide hierarchy.
@@ -152,7 +149,7 @@ type WideCast<'a, S, V> = Cast<'a, <V as Precision>::Exact, LaneRay<S, V>, WideB
 
 impl<S: Simd, V: Precision> LaneRay<S, V> {
     pub(super) fn new(simd: S, ray: &Ray<V>, bvh: &WideBvh<8, V>) -> Self {
-        Self { boxes: V::Boxes::new(simd, ray, bvh.region()), simd: PhantomData }
+        Self { boxes: V::Boxes::new(simd, ray, bvh.region()) }
     }
 }
 

@@ -11,8 +11,8 @@ use super::filter::Errors;
 use super::{two_product, two_sum};
 use crate::geom::frame::power_of_two;
 
-/// What the products with a residual may be off by: these many times what the residual and the way to the hit are, in
-/// units and squares of units of 2^-53, times E E for the distance and D E for the weights.
+/// Bounds of the error of a product with the residual, times E E for the distance and D E for the weights: the first is
+/// over the residual, the second over the way to the hit.
 const OFF: [f64; 2] = [64.0 * power_of_two(-53), 384.0 * power_of_two(-106)];
 
 /// Distance and weights of a line that certainly meets a triangle, each where it is certain what it is rounded to.

@@ -8,7 +8,7 @@ use crate::geom::tests::exact;
 use crate::geom::truth;
 use crate::geom::{Frame, Mesh};
 
-/// What a level says of a block: what is left, and what is certain, with the bits of the bounds.
+/// The lanes of a block that are left at a level, those that are certain, and the bits of the bounds.
 #[inline(always)]
 fn told<S: Simd>(simd: S, ray: &TriangleRay<S, DVec3>, block: &Block<DVec3>, best: f64) -> (u32, u32, [[u64; 4]; 2]) {
     let found = ray.found(simd, block);

@@ -15,7 +15,7 @@ fn aimed(rng: &mut Rng) -> ([DVec3; 3], DVec3, DVec3) {
 
 /// [EXACT-14]
 ///
-/// What is told is right, and nearly all is told.
+/// Each answer is that of rationals, and nearly all are known.
 #[test]
 fn corrected_quotients_are_those_of_rationals() {
     let mut rng = Rng::new(14);
