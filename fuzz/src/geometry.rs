@@ -80,8 +80,8 @@ fn all_near<V: Precision>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) {
         let triangle = Triangle(mesh.triangle(prim));
         right(check_distance(&triangle, point), format_args!("{triangle:?} {point:?}"));
     }
-    for builder in [Builder::Sah, Builder::Spatial] {
-        let options = BuildOptions { builder, sah, spatial, reinsertion: 0, ..BuildOptions::default() };
+    for builder in [Builder::Standard, Builder::Spatial] {
+        let options = BuildOptions { builder, sah, spatial, ..BuildOptions::default() };
         let bvh = right(options.build(mesh), "a tree without limits");
         right(
             check_nearest(&bvh, mesh, point, radius, k),

@@ -215,30 +215,27 @@ fn affine<'a, R: Real>(draw: &mut Draw<'a>, number: impl Fn(&mut Draw<'a>) -> R)
 }
 
 fn options(draw: &mut Draw<'_>) -> BuildOptions {
-    let bins = draw.one_of([16, 2, 3, 32, 256, 1, 0, u32::MAX]);
     let max_leaf = draw.one_of([4, 1, 2, 3, 8, 100, 0, u32::MAX]);
     let depth_limit = draw.one_of([u32::MAX, 60, 31, 4, 3, 2, 1, 0]);
     let extra_percent = draw.one_of([0, 30, 100, 300]);
     let overlap = draw.one_of([0.0, 1e-5, 0.5, 1.0]);
     BuildOptions {
-        builder: Builder::Sah,
-        sah: SahOptions { bins, max_leaf, depth_limit },
+        builder: draw.one_of(Builder::ALL),
+        sah: SahOptions { max_leaf, depth_limit },
         spatial: SpatialOptions { extra_percent, overlap },
-        reinsertion: draw.below(3) as u32,
         degenerate: Degenerate::LeftOut,
     }
 }
 
 /// A tree, or nothing where the options forbid one.
 fn built<S>(result: Result<Bvh<S>, BuildError>, options: BuildOptions) -> Option<Bvh<S>> {
-    let SahOptions { bins, max_leaf, depth_limit } = options.sah;
+    let SahOptions { max_leaf, depth_limit } = options.sah;
     match result {
         Ok(bvh) => {
             assert!(bvh.depth() <= depth_limit, "deeper than {depth_limit}: {options:?}");
             Some(bvh)
         }
         Err(BuildError::ZeroLeafSize) if max_leaf == 0 => None,
-        Err(BuildError::Bins(_)) if !(2..=SahOptions::MAX_BINS).contains(&bins) => None,
         Err(BuildError::DepthLimit { .. }) if depth_limit < 8 => None,
         Err(error) => panic!("{error}: {options:?}"),
     }

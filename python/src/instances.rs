@@ -6,7 +6,7 @@ use std::sync::Arc;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use stackless_bvh::bvh::{BuildError, BuildOptions};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder};
 use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Mesh, Ray, check_environment};
 use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object};
 use stackless_bvh::traverse::Method;
@@ -151,8 +151,7 @@ impl Source {
     fn into_part(self, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Part> {
         match self {
             Self::Mesh(mesh) => {
-                let BuildOptions { builder, reinsertion, .. } = BuildOptions::default();
-                Ok(Part::Mesh(Arc::new(<Single as Space>::build(&mesh, (builder, reinsertion), tell)?)))
+                Ok(Part::Mesh(Arc::new(<Single as Space>::build(&mesh, Builder::default(), tell)?)))
             }
             Self::Group(group) => Ok(Part::Group(group)),
         }

@@ -68,7 +68,7 @@ impl Scene {
         build: &str,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let (how, progress) = (options(build)?, progress.as_ref());
+        let (how, progress) = (builder(build)?, progress.as_ref());
         let held = if dtype == Single::DTYPE {
             Either::Single(Box::new(Held::build(py, mesh::<Single>(vertices, faces)?, how, progress)?))
         } else {
@@ -269,12 +269,8 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
     }
 }
 
-/// A builder by its name, with `+N` for rounds of reinsertion.
-fn options(build: &str) -> PyResult<(Builder, u32)> {
-    let (name, rounds) = build.split_once('+').unwrap_or((build, "0"));
-    if let (Ok(builder), Ok(rounds)) = (name.parse(), rounds.parse()) {
-        return Ok((builder, rounds));
-    }
+/// A builder by its name.
+fn builder(build: &str) -> PyResult<Builder> {
     let names = Builder::ALL.map(Builder::name).join(", ");
-    Err(refused(format!("build: '{build}', expected one of {names}, or one with +N for N rounds of reinsertion")))
+    build.parse().map_err(|_| refused(format!("build: '{build}', expected one of {names}")))
 }

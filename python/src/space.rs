@@ -3,7 +3,7 @@
 use glam::DVec3;
 use numpy::Element;
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh};
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
 use stackless_bvh::trace::{Hit, Near, Tracer};
@@ -79,9 +79,9 @@ where
     type Real = V::Real;
     const DTYPE: &'static str = if V::REAL_BYTES == 4 { "float32" } else { "float64" };
 
-    fn build(mesh: &Mesh<V>, (builder, reinsertion): (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
-        let options = BuildOptions { builder, reinsertion, ..BuildOptions::fine() };
-        Self::of(&options.build_watched(mesh, tell).map_err(of_build)?).map_err(failed)
+    fn build(mesh: &Mesh<V>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
+        let options = BuildOptions { builder, ..BuildOptions::default() };
+        options.build_wide_watched(mesh, tell).map_err(of_wide)
     }
 
     fn refit(&mut self, mesh: &Mesh<V>) -> PyResult<()> {
@@ -123,6 +123,9 @@ where
     }
 }
 
-fn of_build(error: BuildError) -> PyErr {
-    if let BuildError::Environment(_) = error { failed(error) } else { refused(error) }
+fn of_wide(error: WideError) -> PyErr {
+    match error {
+        WideError::Build(error) if !matches!(error, BuildError::Environment(_)) => refused(error),
+        error => failed(error),
+    }
 }

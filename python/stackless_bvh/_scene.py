@@ -30,8 +30,8 @@ class Scene:
         Shape (m, 3), integers: three rows of `vertices` for each triangle. Faces without an area are allowed, and no
         ray hits them.
     build
-        How the hierarchy is built: "sah" (the default), "sbvh", "lbvh" (the fastest build), "bounded" or "median". With
-        "+2" two rounds of reinsertion follow. Answers do not depend on it.
+        How the hierarchy is built: "standard", "fast" (the fastest build), "best" (the fastest rays), "sbvh", "bounded" or
+        "median". Answers do not depend on it.
     progress
         Is called as ``progress(done, count)`` now and then, with numbers of faces, while the hierarchy is built.
 
@@ -53,7 +53,7 @@ class Scene:
     __slots__ = ("_native",)
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, build: str = "sah", progress: Progress | None = None
+        self, vertices: ArrayLike, faces: ArrayLike, build: str = "standard", progress: Progress | None = None
     ) -> None:
         points, indices = mesh_arrays(vertices, faces)
         self._native = _native.Scene(points, indices, str(points.dtype), build, progress)

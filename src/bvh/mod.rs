@@ -146,9 +146,8 @@ impl<S> Bvh<S> {
         first as usize..first as usize + count as usize
     }
 
-    /// Axis (0, 1, 2) along which each inner node was split, plus
-    /// [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED) where it is the right child that holds the smaller
-    /// centroids.
+    /// Axis (0, 1, 2) along which the middles of each inner node's children differ most, plus
+    /// [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED) where it is the right child whose middle is less.
     pub fn axes(&self) -> &[u8] {
         &self.tree.axes
     }

@@ -48,7 +48,7 @@ fn both_builders_are_sound_and_keep_their_word() {
 
             let tightest = n.div_ceil(leaf_size as usize).next_power_of_two().ilog2();
             for depth_limit in [tightest, tightest + 1, tightest + 3, 31, 100_000] {
-                let options = SahOptions { max_leaf: leaf_size, depth_limit, ..SahOptions::default() };
+                let options = SahOptions { max_leaf: leaf_size, depth_limit };
                 let bvh = Bvh::sah(&mesh, options).expect("a tree");
                 validate(&bvh, &mesh).expect("sound");
                 assert!(bvh.depth() <= depth_limit && bvh.leaves().iter().all(|leaf| leaf.count <= leaf_size));
@@ -68,17 +68,18 @@ fn a_single_triangle_is_a_leaf() {
 }
 
 #[test]
-fn left_children_are_the_larger_and_axes_say_which_holds_the_smaller_centroids() {
+fn left_children_are_the_larger_and_axes_say_which_middle_is_less() {
     let mesh = scattered(700);
     for bvh in [Bvh::median(&mesh, 2), Bvh::sah(&mesh, SahOptions::default())].map(|bvh| bvh.expect("a tree")) {
         for (node, &axis) in bvh.nodes().iter().zip(bvh.axes()) {
             let [left, right] = [Side::Left, Side::Right].map(|side| node.child_box(side).half_area());
             assert!(left >= right, "{left} {right}");
-            let mut sides = node.children.map(|child| centroids(&bvh, child, usize::from(axis % SignOrder::REVERSED)));
+            let along = usize::from(axis % SignOrder::REVERSED);
+            let mut middles = [Side::Left, Side::Right].map(|side| node.child_box(side).centroid()[along]);
             if axis >= SignOrder::REVERSED {
-                sides.reverse();
+                middles.reverse();
             }
-            assert!(sides[0].1 <= sides[1].0, "{sides:?}");
+            assert!(middles[0] <= middles[1], "{middles:?}");
         }
         assert!(bvh.axes().iter().any(|&axis| axis < 4) && bvh.axes().iter().any(|&axis| axis >= 4));
     }
@@ -91,17 +92,6 @@ fn the_median_cuts_the_longest_axis() {
     assert_eq!(bvh.axes(), [1, 1, 1]);
     // Squares now: the first axis of equals.
     assert_eq!(Bvh::median(&wide, 8).expect("a tree").axes()[2], 0);
-}
-
-/// Least and greatest centroid below a node.
-fn centroids(bvh: &Bvh, node: Node, axis: usize) -> (f32, f32) {
-    let all: Vec<(f32, f32)> = if node.is_leaf() {
-        let of = |t: &LeafTriangle| t.shape.aabb().centroid()[axis];
-        bvh.leaf_triangles(node).iter().map(|t| (of(t), of(t))).collect()
-    } else {
-        bvh.children(node).map(|child| centroids(bvh, child, axis)).into()
-    };
-    all.into_iter().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).expect("no leaf is empty")
 }
 
 #[test]
@@ -119,13 +109,11 @@ fn a_tree_by_surface_area_is_cheaper() {
 #[test]
 fn impossible_wishes_are_refused() {
     let mesh = scattered(33);
-    let with = |max_leaf, bins, depth_limit| Bvh::sah(&mesh, SahOptions { bins, max_leaf, depth_limit }).err();
+    let with = |max_leaf, depth_limit| Bvh::sah(&mesh, SahOptions { max_leaf, depth_limit }).err();
     assert_eq!(Bvh::median(&mesh, 0).err(), Some(BuildError::ZeroLeafSize));
-    assert_eq!(with(0, 32, 31), Some(BuildError::ZeroLeafSize));
-    assert_eq!(with(4, 1, 31), Some(BuildError::Bins(1)));
-    assert_eq!(with(4, u32::MAX, 31), Some(BuildError::Bins(u32::MAX)));
-    assert_eq!(with(4, 32, 3), Some(BuildError::DepthLimit { triangles: 33, max_leaf: 4, limit: 3 }));
-    assert_eq!(with(4, 32, 4), None);
+    assert_eq!(with(0, 31), Some(BuildError::ZeroLeafSize));
+    assert_eq!(with(4, 3), Some(BuildError::DepthLimit { triangles: 33, max_leaf: 4, limit: 3 }));
+    assert_eq!(with(4, 4), None);
 }
 
 #[test]

@@ -162,7 +162,7 @@ pub(super) fn exponent_of(x: f64) -> i32 {
 }
 
 /// 2 to the power of an exponent from -1022 to 1023.
-pub(super) const fn power_of_two(exponent: i32) -> f64 {
+pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 

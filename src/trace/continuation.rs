@@ -243,7 +243,7 @@ mod tests {
     fn a_path_hits_what_it_hits_wherever_it_begins() {
         let mesh = procedural::strands(4, 60);
         let rays = procedural::rays(&mesh, 3, 150);
-        for builder in [Builder::Sah, Builder::Spatial, Builder::Median] {
+        for builder in [Builder::Standard, Builder::Spatial, Builder::Median] {
             let options = BuildOptions { builder, ..BuildOptions::default() };
             let bvh = options.build(&mesh).expect("a tree");
             for method in Method::ALL {

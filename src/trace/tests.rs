@@ -29,7 +29,7 @@ fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
 }
 
 fn trees(mesh: &Mesh) -> Vec<Bvh> {
-    let sah = |max_leaf, depth_limit| Bvh::sah(mesh, SahOptions { bins: 16, max_leaf, depth_limit });
+    let sah = |max_leaf, depth_limit| Bvh::sah(mesh, SahOptions { max_leaf, depth_limit });
     let trees = [Bvh::median(mesh, 1), Bvh::median(mesh, 4), sah(1, 99), sah(4, 31), sah(9, 12)];
     trees.map(|tree| tree.expect("a tree")).into()
 }

@@ -96,7 +96,8 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
         asked += cases.len();
         hits += cases.iter().filter(|(_, hit)| hit.is_some()).count();
         deep += cases.iter().flat_map(|(_, hit)| hit).filter(|hit| hit.path.len() > 1).count();
-        for (builder, leaf) in [(Builder::Median, 1), (Builder::Sah, 1), (Builder::Spatial, 2), (Builder::Linear, 4)] {
+        for (builder, leaf) in [(Builder::Median, 1), (Builder::Standard, 1), (Builder::Spatial, 2), (Builder::Fast, 4)]
+        {
             let built = hierarchies(scene, builder, leaf);
             let (assembly, root) = assembly(&built, scene);
             for (i, method) in Method::ALL.into_iter().enumerate() {
@@ -152,7 +153,8 @@ fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
             let (assembly, root) = assembly(&built, scene);
             InstanceTracer::new(&assembly, root, Method::Hashed).expect("any tree")
         };
-        let (tracer, wide) = (tracer(hierarchies(scene, Builder::Sah, 2)), tracer(wide(scene, Builder::Sah, 1)));
+        let (tracer, wide) =
+            (tracer(hierarchies(scene, Builder::Standard, 2)), tracer(wide(scene, Builder::Standard, 1)));
         let rays = rays(&flat, &mut rng, 300);
         asked += rays.len();
         for ray in &rays {
@@ -191,7 +193,7 @@ fn wide_meshes_are_answered_as_binary_ones() {
             // Images may be beyond the range.
             continue;
         }
-        let builder = [Builder::Spatial, Builder::Sah, Builder::Median][i % 3];
+        let builder = [Builder::Spatial, Builder::Standard, Builder::Median][i % 3];
         let bvh = Arc::new(options(builder, 1).build(&case.mesh).expect("a tree"));
         let wide = WideOptions { max_leaf: [1, 4, 15, 8][i % 4], ..WideOptions::default() };
         let wide = Arc::new(WideBvh::with_options(&bvh, &wide).expect("a tree"));
@@ -202,7 +204,7 @@ fn wide_meshes_are_answered_as_binary_ones() {
             let mesh = if is_wide { assembly.add_wide(Arc::clone(&wide)) } else { assembly.add_mesh(Arc::clone(&bvh)) };
             let mut group = |object: [Object; 3], maps: &[AffineMap]| {
                 let instances = maps.iter().zip(object).map(|(&affine, object)| Instance { object, affine }).collect();
-                assembly.add_group(instances, &options(Builder::Sah, 1)).expect("a group")
+                assembly.add_group(instances, &options(Builder::Standard, 1)).expect("a group")
             };
             let inner = group([mesh; 3], &maps[..3]);
             let outer = group([inner, mesh, inner], &maps[3..]);
@@ -253,7 +255,7 @@ fn what_is_behind_a_hit_is_not_entered() {
 }
 
 fn what_is_behind_a_hit_in_it_is_not_entered(assembly: &mut Assembly, object: Object) {
-    let options = options(Builder::Sah, 1);
+    let options = options(Builder::Standard, 1);
     let place = |i: u8| AffineMap::translation(Vec3::Z * f32::from(i) * 3.0).expect("a map");
     let instances = (0..64).map(|i| Instance { object, affine: place(i) }).collect();
     let row = assembly.add_group(instances, &options).expect("a group");
@@ -372,7 +374,7 @@ fn rationals_are_for_what_is_met_and_not_known() {
         shapes.extend((0..4).map(|below| Shape::Group(vec![(below, map)])));
         let scene = Scene { name: format!("{rows:?}"), shapes };
         let flat = Flat::new(&scene.shapes);
-        let (assembly, object) = assembly(&hierarchies(&scene, Builder::Sah, 1), &scene);
+        let (assembly, object) = assembly(&hierarchies(&scene, Builder::Standard, 1), &scene);
         let tracer = InstanceTracer::new(&assembly, object, Method::default()).expect("any tree");
         let mut rays = Vec::new();
         for &target in targets {

@@ -55,7 +55,7 @@ const PANICS: &[(&str, &str, &str)] = &[
     ("src/hash/modulo.rs", ".expect(\"a table has 1 to 2^31 cells\")", "a constant: it is the compiler that stops"),
     ("src/generate/procedural.rs", ".expect(\"coordinates are finite", "a made scene is a mesh, whatever the seed"),
     ("src/geom/lanes/mod.rs", "None => unreachable!(", "the target has what is asked for"),
-    ("src/trace/tracer/turns.rs", "(None, None) => unreachable!(", "the target has what is asked for"),
+    ("src/geom/lanes/mod.rs", "(None, None) => unreachable!(", "the target has what is asked for"),
     ("src/tree/linked.rs", "None => panic!(", "a constant: it is the compiler that stops"),
 ];
 

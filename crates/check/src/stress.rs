@@ -54,7 +54,7 @@ impl<'c> Stress<'c> {
     pub fn new(case: &'c StressCase) -> Result<Self, BuildError> {
         let truth = Truth::new(&case.mesh);
         let truth = case.rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
-        let in_parts = BuildOptions { builder: Builder::Spatial, reinsertion: 2, ..BuildOptions::default() };
+        let in_parts = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() };
         let trees =
             [Bvh::sah(&case.mesh, SahOptions::default())?, Bvh::median(&case.mesh, 2)?, in_parts.build(&case.mesh)?];
         Ok(Self { case, truth, trees })

@@ -12,13 +12,14 @@ use std::hint::black_box;
 use std::path::PathBuf;
 
 use serde_json::json;
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::Level;
 use stackless_bvh::trace::{Accuracy, Truth};
 use stackless_bvh::traverse::Method;
 use stackless_suite::Traversal;
 
-use crate::build::{Build, BuildName};
+use crate::build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Counts, Query, Truths, csv_line, is_same};
 use crate::output::say;
@@ -49,15 +50,14 @@ pub(crate) struct Args {
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Traversals, separated by commas: `stackless methods` lists them. `stack` is always there. Those of wide trees are
-    /// exact; their tree is built in the same way, with one triangle a leaf, and then collapsed to eight children.
+    /// exact; their trees have eight children, and are built in the same way.
     /// They trace two rays in turns.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1,wide-stack,wide-record")]
     method: Vec<Traversal>,
-    /// How the hierarchy is built: with `+N` behind a name, N rounds of reinsertion follow. Separated by
-    /// commas.
-    #[arg(long, value_delimiter = ',', default_value = "sah", value_parser = BuildName)]
-    build: Vec<Build>,
+    /// How the hierarchy is built, separated by commas.
+    #[arg(long, value_delimiter = ',', default_value = "standard", value_parser = build::builder())]
+    build: Vec<Builder>,
     /// Kinds of rays, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "primary,any,diffuse")]
     kinds: Vec<Kind>,
@@ -115,7 +115,7 @@ trait Contestant {
     fn method(&self) -> &'static str;
 
     /// How the tree was built; a peer has its own way.
-    fn build(&self) -> Option<Build>;
+    fn build(&self) -> Option<Builder>;
 
     /// Level of accuracy; a peer has none.
     fn accuracy(&self) -> Option<Accuracy>;

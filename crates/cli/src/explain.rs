@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::Method as WideMethod;
@@ -9,7 +10,7 @@ use stackless_check::{Case, CaseOptions, Replay, WideCase};
 use stackless_explain::{self as explain, USUAL, wide};
 use stackless_suite::{Ask, Suite, Traversal, WideWalk};
 
-use crate::build::{Build, BuildName};
+use crate::build;
 use crate::input::{self, Scene};
 use crate::output::{say, write_file};
 use crate::places::{self, Output};
@@ -36,8 +37,8 @@ pub(crate) struct Args {
     #[command(flatten)]
     camera: camera::Options,
     /// How the scene's hierarchy is built, as in `stackless trace`.
-    #[arg(long, default_value_t, value_parser = BuildName)]
-    build: Build,
+    #[arg(long, default_value_t, value_parser = build::builder())]
+    build: Builder,
     /// Wide trees instead of binary ones, of 2, 4 or 8 children a node. [default: 8 where a wide traversal is named]
     #[arg(long, value_name = "CHILDREN", value_parser = clap::value_parser!(u32), conflicts_with_all = ["file", "suite_case"])]
     wide: Option<u32>,
@@ -106,7 +107,7 @@ fn binary_page(args: &Args, tape: Option<u64>, ask: Option<Ask>, methods: &[Meth
 /// The case with its title, and the traversals that it names.
 fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Case, Vec<Method>), Error> {
     if let Some((scene, ray, title)) = pixel_ray(args)? {
-        return Ok((title, explain::of_ray(&args.build.run(&scene)?, &ray), Vec::new()));
+        return Ok((title, explain::of_ray(&build::binary(args.build, &scene)?, &ray), Vec::new()));
     }
     if let Some(path) = &args.file {
         let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
@@ -150,7 +151,7 @@ fn wide_page(args: &Args, tape: Option<u64>, methods: &[WideMethod]) -> Result<P
         );
     }
     if let Some((scene, ray, title)) = pixel_ray(args)? {
-        return Ok(of_case(title, &wide::of_ray(&args.build.run_wide(&scene)?, &ray), methods));
+        return Ok(of_case(title, &wide::of_ray(&build::wide(args.build, &scene)?, &ray), methods));
     }
     Ok(of_case("Eight children: from key 1252 to key 10".to_owned(), &wide::example(), methods))
 }

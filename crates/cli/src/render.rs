@@ -7,12 +7,12 @@ mod sample;
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use stackless_bvh::bvh::{Bvh, WideBvh};
+use stackless_bvh::bvh::{Builder, Bvh, WideBvh};
 use stackless_bvh::trace::{BinaryTracer, Continuation, Tracer};
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
-use crate::build::Build;
+use crate::build;
 use crate::camera::{self, Camera};
 use crate::input::{self, Scene};
 use crate::output::{bar, say, write_file};
@@ -53,10 +53,10 @@ pub(crate) struct Args {
     #[arg(long, value_delimiter = ',', default_value = "hashed", value_parser = input::method())]
     #[arg(hide_possible_values = true)]
     method: Vec<Method>,
-    /// How the hierarchy is built: sah, sbvh, lbvh, bounded or median; with `+N`, N rounds of reinsertion follow.
-    /// [default: sah, with `complete` median]
+    /// How the hierarchy is built.
+    /// [default: standard, with `complete` median]
     #[arg(long)]
-    build: Option<Build>,
+    build: Option<Builder>,
     /// Seed of what is random.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -95,9 +95,9 @@ impl Job {
     }
 
     /// Draws it into a file, over a tree that suits the traversals if none is named.
-    pub(crate) fn run(&self, scene: &Scene, build: Option<Build>, output: &Output) -> Outcome {
-        let build = Build::chosen(build, &self.methods);
-        let Drawn { png, lines } = self.draw(scene, &build.run(scene)?)?;
+    pub(crate) fn run(&self, scene: &Scene, build: Option<Builder>, output: &Output) -> Outcome {
+        let build = build::chosen(build, &self.methods);
+        let Drawn { png, lines } = self.draw(scene, &build::binary(build, scene)?)?;
         write_file(output, |file| file.write_all(&png))?;
         for line in lines {
             say!("{line}");

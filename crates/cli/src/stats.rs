@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use crate::plots::plot_distances;
 use serde::Serialize;
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Builder, Bvh};
 use stackless_bvh::event::{Backtracks, Source};
 use stackless_bvh::generate::procedural::{self, View};
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
@@ -18,7 +18,7 @@ use stackless_bvh::trace::{self, Closest};
 use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
 use stackless_bvh::tree::{Linked, Node, Reach, Topology};
 
-use crate::build::{Build, BuildName};
+use crate::build;
 use crate::input::Scene;
 use crate::output::{self, Table, grouped, say, table, write_file};
 use crate::places::{self, Output};
@@ -36,9 +36,9 @@ use crate::{Outcome, camera};
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow.
-    #[arg(long, default_value_t, value_parser = BuildName)]
-    build: Build,
+    /// How the hierarchy is built.
+    #[arg(long, default_value_t, value_parser = build::builder())]
+    build: Builder,
     /// Number of rays.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
@@ -238,11 +238,11 @@ impl Stats {
     fn of(
         scene: &Scene,
         view: &View,
-        build: Build,
+        build: Builder,
         rays: usize,
         seed: u64,
     ) -> Result<Self, Box<dyn std::error::Error>> {
-        let (bvh, build_seconds) = timed(|| build.run(scene));
+        let (bvh, build_seconds) = timed(|| build::binary(build, scene));
         let bvh = bvh?;
         let mut tables = Vec::new();
         for sizing in [Sizing::Tight, Sizing::PrintedHashed, Sizing::Printed] {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Builder, Bvh};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
@@ -16,7 +16,7 @@ use stackless_scene::{Float, Format, Position};
 use stackless_suite::Traversal;
 
 use crate::Outcome;
-use crate::build::{Build, BuildName};
+use crate::build;
 use crate::input::{self, Scene};
 use crate::output::{self, bar, count, say, write_file};
 use crate::places::{self, Output};
@@ -53,10 +53,10 @@ pub(crate) struct Args {
     /// [default: afra; with --single wide-record where the accuracy is exact]
     #[arg(long, value_parser = input::traversal())]
     method: Option<Traversal>,
-    /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow. [default: sah, for `complete`
+    /// How the hierarchy is built. [default: standard, for `complete`
     /// median]
-    #[arg(long, value_parser = BuildName)]
-    build: Option<Build>,
+    #[arg(long, value_parser = build::builder())]
+    build: Option<Builder>,
     /// How exact the answers are to be; other than exact only with --single.
     #[arg(long, default_value = "exact", value_parser = input::accuracy())]
     accuracy: Accuracy,
@@ -126,7 +126,7 @@ impl Args {
     fn in_single(&self, scene: &Scene, rays: &[Ray]) -> Result<Traced<f32>, Box<dyn Error>> {
         match self.traversal()? {
             Traversal::Binary(method) => {
-                let bvh = Build::chosen(self.build, &[method]).run(scene)?;
+                let bvh = build::binary(build::chosen(self.build, &[method]), scene)?;
                 let traced = trace::with_level(self.accuracy, Binary { method, bvh, any: self.any, rays });
                 let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
                 Ok(Traced { method: method.name(), hits })
@@ -143,7 +143,7 @@ impl Args {
             Traversal::Wide(method) => return self.by_wide(method, scene, rays),
             Traversal::Binary(method) => method,
         };
-        let bvh = Build::chosen(self.build, &[method]).run(scene)?;
+        let bvh = build::binary(build::chosen(self.build, &[method]), scene)?;
         let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Wide>();
         let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
         Ok(Traced { method: method.name(), hits })
@@ -155,7 +155,7 @@ impl Args {
         scene: &Scene<V>,
         rays: &[Ray<V>],
     ) -> Result<Traced<V::Real>, Box<dyn Error>> {
-        let bvh = self.build.unwrap_or_default().run_wide(scene)?;
+        let bvh = build::wide(self.build.unwrap_or_default(), scene)?;
         let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
         let each = |rays: &[Ray<V>]| if self.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
         Ok(Traced { method: method.name(), hits: in_chunks(rays, each) })

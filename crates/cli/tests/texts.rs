@@ -91,8 +91,8 @@ const RUN_AS: &[(&str, &str)] = &[
      "lab parts examples/data/room.obj --count 500"),
     ("lab parts SCENE",
      "lab parts examples/data/torus.ply --count 500"),
-    ("stackless bench SCENE... --method wide-record --build sah+2 --view benches/interiors.views",
-     "stackless bench examples/data/torus.ply --method wide-record --build sah+2 \
+    ("stackless bench SCENE... --method wide-record --view benches/interiors.views",
+     "stackless bench examples/data/torus.ply --method wide-record \
       --view benches/interiors.views --count 1000 --rounds 1"),
     ("stackless bench SCENE...",
      "stackless bench examples/data/torus.ply --count 1000 --rounds 1"),

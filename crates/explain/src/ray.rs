@@ -95,7 +95,7 @@ mod tests {
     #[test]
     fn the_case_of_a_ray_is_what_the_tracer_does() {
         let mesh = procedural::soup(3, 400);
-        for builder in [Builder::Sah, Builder::Spatial] {
+        for builder in [Builder::Standard, Builder::Spatial] {
             let bvh = BuildOptions { builder, ..BuildOptions::default() }.build(&mesh).unwrap();
             let tracer = BinaryTracer::new(&bvh);
             let mut hits = 0;

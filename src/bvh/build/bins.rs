@@ -1,147 +1,245 @@
-//! The surface area heuristic, evaluated at the borders of bins: for many items.
+//! The surface area heuristic, evaluated at the borders of bins.
+//!
+//! Wald 2007, "On fast construction of SAH-based bounding volume hierarchies": centroids are counted in bins of equal
+//! width along each axis; the cheapest border between two bins is where the node is cut.
 
-use glam::Vec3A;
+use fearless_simd::{Select, Simd, SimdBase, SimdInt, SimdMask, f32x4, f32x8, i32x4};
 
-use super::item::{CHUNK, Extents, Item, Spread};
-use super::sah::Split;
-use super::sweep::{Candidates, Cheapest, half_areas, indices, rounded, unions};
-use super::top_down::Cut;
-use crate::threads;
+use super::record::{EMPTY, Planes, Record, union};
 
-/// At most `N` bins on each axis, a power of two.
-struct Bins<const N: usize> {
-    boxes: [[Spread; N]; 3],
-    counts: [[u32; N]; 3],
+/// Boxes and numbers of the items in each of `N` bins, on each axis. A bin does not cross a line of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Bins<const N: usize> {
+    boxes: [[Planes; 4]; N],
+    counts: [[i32; 4]; N],
 }
 
 /// A border between bins.
-pub(super) struct Plane {
-    axis: usize,
-    scale: Scale,
-    /// First bin of the right side.
-    border: usize,
-    boxes: [Spread; 2],
-    /// Sum over both sides of half area times count.
-    weight: f32,
-    greater: usize,
-}
-
-impl Plane {
-    /// The cheapest one that has centroids on both sides. `None` if there is none, or weights tell none
-    /// from another.
-    pub(super) fn cheapest<const N: usize>(items: &[Item], extents: &Extents, bins: usize) -> Option<Self> {
-        let scale = Scale::new(extents.centroids, bins.min(N));
-        let of = |items: &[Item]| Bins::<N>::of(items, scale);
-        let bins = if items.len() < 4 * CHUNK { of(items) } else { threads::reduce(items, CHUNK, of, Bins::merge)? };
-        let Cheapest { axis, place: border, weight } = bins.cheapest(items.len())?;
-        let [left, right] = [0..border, border..N].map(|range| {
-            let range = range.map(|bin| (bins.boxes[axis][bin], bins.counts[axis][bin]));
-            range.fold((Spread::EMPTY, 0), |(all, sum), (aabb, count)| (all.union(aabb), sum + count as usize))
-        });
-        Some(Self { axis, scale, border, boxes: [left.0, right.0], weight, greater: left.1.max(right.1) })
-    }
-}
-
-impl Split for Plane {
-    fn weight(&self) -> f32 {
-        self.weight
-    }
-
-    fn greater(&self) -> usize {
-        self.greater
-    }
-
-    /// Moves what is left of the plane to the front.
-    fn part(&self, items: &mut [Item]) -> Cut {
-        let mut left = 0;
-        let mut centroids = [Spread::EMPTY; 2];
-        let border = rounded(Vec3A::splat(self.border as f32));
-        for i in 0..items.len() {
-            let item = items[i];
-            let centroid = item.centroid();
-            let is_right = self.scale.bins(centroid).cmpge(border).bitmask() >> self.axis & 1;
-            let side = &mut centroids[is_right as usize];
-            *side = side.add(centroid);
-            // Swapped in any case, as branches would be mispredicted: an item of the right may change places with
-            // another.
-            items[i] = items[left];
-            items[left] = item;
-            left += 1 - is_right as usize;
-        }
-        let extents = [0, 1].map(|side| Extents { boxes: self.boxes[side], centroids: centroids[side] });
-        Cut { axis: self.axis, left, extents }
-    }
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Border {
+    pub(super) axis: usize,
+    /// The first bin of the right side.
+    bin: usize,
+    /// Items of the left side.
+    pub(super) left: usize,
+    /// Of both sides.
+    pub(super) boxes: [Planes; 2],
 }
 
 impl<const N: usize> Bins<N> {
-    const EMPTY: Self = Self { boxes: [[Spread::EMPTY; N]; 3], counts: [[0; N]; 3] };
+    const EMPTY: Self = Self { boxes: [[EMPTY; 4]; N], counts: [[0; 4]; N] };
 
-    fn of(items: &[Item], scale: Scale) -> Self {
+    #[inline(always)]
+    pub(super) fn of<S: Simd>(simd: S, items: &[Record], scale: &Scale) -> Self {
         let mut bins = Self::EMPTY;
-        for item in items {
-            for (axis, bin) in indices(scale.bins(item.centroid())).into_iter().enumerate() {
-                let bin = bin as usize % N;
-                bins.boxes[axis][bin] = bins.boxes[axis][bin].union(item.spread());
-                bins.counts[axis][bin] += 1;
+        if items.len() < 32 * N {
+            for item in items {
+                bins.add(simd, item, scale);
             }
+            return bins;
         }
-        bins
+        // Neighbours often fall into the same bins: by turns, so that none waits for the one before.
+        let mut others = Self::EMPTY;
+        let (pairs, rest) = items.as_chunks::<2>();
+        for [a, b] in pairs {
+            bins.add(simd, a, scale);
+            others.add(simd, b, scale);
+        }
+        for item in rest {
+            bins.add(simd, item, scale);
+        }
+        bins.and(others)
     }
 
-    fn merge(mut self, other: Self) -> Self {
-        for (aabb, other) in self.boxes.as_flattened_mut().iter_mut().zip(other.boxes.as_flattened()) {
-            *aabb = aabb.union(*other);
+    #[inline(always)]
+    fn add<S: Simd>(&mut self, simd: S, item: &Record, scale: &Scale) {
+        let planes = item.load(simd);
+        let at = scale.bins(simd, planes).to_array();
+        for (axis, at) in at.into_iter().enumerate().take(3) {
+            let bin = at.to_bits() as usize % N;
+            let grown = f32x8::load_array_ref(simd, &self.boxes[bin][axis]).min(planes);
+            grown.store_array(&mut self.boxes[bin][axis]);
+            self.counts[bin][axis] += 1;
         }
-        for (count, other) in self.counts.as_flattened_mut().iter_mut().zip(other.counts.as_flattened()) {
-            *count += other;
+    }
+
+    /// With what others hold.
+    pub(super) fn and(mut self, other: Self) -> Self {
+        for (a, b) in self.boxes.as_flattened_mut().iter_mut().zip(other.boxes.as_flattened()) {
+            *a = union(a, b);
+        }
+        for (a, b) in self.counts.as_flattened_mut().iter_mut().zip(other.counts.as_flattened()) {
+            *a += b;
         }
         self
     }
 
-    /// All axes at once. The box of nothing has an infinite area; times a count of 0 that is NaN, so that borders with
-    /// nothing on one side are never taken.
-    fn cheapest(&self, n: usize) -> Option<Cheapest> {
-        let numbers = |counts: [u32; 3]| Vec3A::from_array(counts.map(|count| count as i32 as f32));
-        let mut right = [Spread::EMPTY; 3];
-        let mut right_areas = [Vec3A::ZERO; N];
+    /// The cheapest border of `n` items: the least sum over both sides of half area times count. `None` if no border has
+    /// items on both sides, or areas vanish.
+    #[inline(always)]
+    pub(super) fn cheapest<S: Simd>(&self, simd: S, n: usize) -> Option<Border> {
+        let empty = f32x8::splat(simd, f32::INFINITY);
+        let mut right = [empty; 3];
+        let mut areas = [[0.0_f32; 4]; N];
         for bin in (1..N).rev() {
-            right = unions(right, self.boxes.each_ref().map(|boxes| boxes[bin]));
-            right_areas[bin] = half_areas(right);
+            right = self.grown(simd, right, bin);
+            areas[bin] = half_areas(simd, right).to_array();
         }
-        let mut left = [Spread::EMPTY; 3];
-        let mut count = [0; 3];
-        let mut best = Candidates::NONE;
-        for border in 1..N {
-            left = unions(left, self.boxes.each_ref().map(|boxes| boxes[border - 1]));
-            count = [0, 1, 2].map(|axis| count[axis] + self.counts[axis][border - 1]);
-            let others = count.map(|count| n as u32 - count);
-            best.offer(half_areas(left) * numbers(count) + right_areas[border] * numbers(others), border);
+        let mut left = [empty; 3];
+        let mut counts = f32x4::splat(simd, 0.0);
+        let (mut weights, mut places) = (f32x4::splat(simd, f32::INFINITY), f32x4::splat(simd, 0.0));
+        for (border, &right) in areas.iter().enumerate().skip(1) {
+            left = self.grown(simd, left, border - 1);
+            let count: f32x4<S> = i32x4::load_array_ref(simd, &self.counts[border - 1]).to_float();
+            counts += count;
+            let others = f32x4::splat(simd, n as f32) - counts;
+            // The box of nothing has an infinite area; times a count of 0 that is NaN, which is not less.
+            let weight = half_areas(simd, left) * counts + f32x4::load_array(simd, right) * others;
+            let is_less = weight.simd_lt(weights);
+            weights = is_less.select(weight, weights);
+            places = is_less.select(f32x4::splat(simd, border as f32), places);
         }
-        best.cheapest()
+        let ([x, y, z, _], places) = (weights.to_array(), places.to_array());
+        let axis = if y < x {
+            if z < y { 2 } else { 1 }
+        } else if z < x {
+            2
+        } else {
+            0
+        };
+        let weight = [x, y, z][axis];
+        let is_told = (f32::MIN_POSITIVE..f32::INFINITY).contains(&weight);
+        is_told.then(|| self.border(simd, axis, places[axis] as usize))
+    }
+
+    #[inline(always)]
+    fn border<S: Simd>(&self, simd: S, axis: usize, bin: usize) -> Border {
+        let mut boxes = [f32x8::splat(simd, f32::INFINITY); 2];
+        let mut left = 0;
+        for i in 0..N {
+            let side = usize::from(i >= bin);
+            boxes[side] = boxes[side].min(f32x8::load_array_ref(simd, &self.boxes[i][axis]));
+            left += if side == 0 { self.counts[i][axis] as usize } else { 0 };
+        }
+        Border { axis, bin, left, boxes: [boxes[0].to_array(), boxes[1].to_array()] }
+    }
+
+    #[inline(always)]
+    fn grown<S: Simd>(&self, simd: S, all: [f32x8<S>; 3], bin: usize) -> [f32x8<S>; 3] {
+        let boxes = &self.boxes[bin];
+        [
+            all[0].min(f32x8::load_array_ref(simd, &boxes[0])),
+            all[1].min(f32x8::load_array_ref(simd, &boxes[1])),
+            all[2].min(f32x8::load_array_ref(simd, &boxes[2])),
+        ]
+    }
+}
+
+impl Border {
+    /// Moves the items of the left side to the front. How many they are, and the boxes of the centroids of both sides.
+    #[inline(always)]
+    pub(super) fn part<S: Simd>(&self, simd: S, items: &mut [Record], scale: &Scale) -> (usize, [Planes; 2]) {
+        let empty = f32x8::splat(simd, f32::INFINITY);
+        let (mut of_left, mut of_right) = (empty, empty);
+        let least = f32x8::splat(simd, threshold(self.bin));
+        let axis = self.axis & 3;
+        let (start, factor) = (scale.start[axis], scale.factor[axis]);
+        let mut left = 0;
+        for i in 0..items.len() {
+            let planes = items[i].planes();
+            let along = planes[axis] * 0.5 - planes[axis + 4] * 0.5;
+            let planes = items[i].load(simd);
+            // By masks, and swapped in any case: branches would be mispredicted.
+            let is_right = f32x8::splat(simd, (along - start) * factor - 0.5).simd_ge(least);
+            let centroid = centroid(simd, planes);
+            of_left = of_left.min(is_right.select(empty, centroid));
+            of_right = of_right.min(is_right.select(centroid, empty));
+            items[i] = items[left];
+            items[left] = Record::stored(planes);
+            left += 1 - (is_right.to_bitmask() & 1) as usize;
+        }
+        (left, [of_left.to_array(), of_right.to_array()])
     }
 }
 
 /// Maps centroids to bins of equal width, monotonically on each axis.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
-    start: Vec3A,
-    factor: Vec3A,
-    last: Vec3A,
+    start: [f32; 4],
+    factor: [f32; 4],
+    last: f32,
 }
+
+/// From here on, the last bit of a float counts ones.
+const ROUND: f32 = 8_388_608.0;
 
 impl Scale {
-    pub(super) fn new(centroids: Spread, bins: usize) -> Self {
-        let extent = centroids.extent();
-        // Of the smallest extents the quotient overflows. An infinite one would tell only the first centroid apart.
-        let factor = (bins as f32 / extent).min(Vec3A::MAX);
-        let factor = Vec3A::select(extent.cmpgt(Vec3A::ZERO), factor, Vec3A::ZERO);
-        Self { start: centroids.lo, factor, last: Vec3A::splat(bins as f32 - 1.0) }
+    pub(super) fn new(centroids: &Planes, bins: usize) -> Self {
+        let factor = |axis: usize| {
+            let extent = -(centroids[axis] + centroids[axis + 4]);
+            // Of the smallest extents the quotient overflows.
+            if extent > 0.0 { (bins as f32 / extent).min(f32::MAX) } else { 0.0 }
+        };
+        let [x, y, z, ..] = *centroids;
+        Self { start: [x, y, z, 0.0], factor: [factor(0), factor(1), factor(2), 0.0], last: bins as f32 - 1.0 }
     }
 
-    /// Bin on each axis, for [`indices`]. Where the extent is 0 or overflows, the first bin has all.
-    #[inline]
-    pub(super) fn bins(&self, centroid: Vec3A) -> Vec3A {
+    /// The bin on each axis, in the last bits of a float.
+    #[inline(always)]
+    fn bins<S: Simd>(&self, simd: S, planes: f32x8<S>) -> f32x4<S> {
+        let (lo, hi) = simd.split_f32x8(planes);
+        let centroid = lo * 0.5 - hi * 0.5;
+        let start = f32x4::load_array(simd, self.start);
+        let factor = f32x4::load_array(simd, self.factor);
         // Less a half, as the nearest integer is taken.
-        rounded(((centroid - self.start) * self.factor - 0.5).max(Vec3A::ZERO).min(self.last))
+        ((centroid - start) * factor - 0.5).max(0.0).min(self.last) + ROUND
     }
 }
+
+/// From where on a number is rounded to a bin or one after it: of halves, to the even one.
+fn threshold(bin: usize) -> f32 {
+    let middle = bin as f32 - 0.5;
+    if bin.is_multiple_of(2) { middle } else { middle.next_up() }
+}
+
+/// The box of some items, and that of their centroids.
+#[inline(always)]
+pub(super) fn extents<S: Simd>(simd: S, items: &[Record]) -> [Planes; 2] {
+    let mut boxes = f32x8::splat(simd, f32::INFINITY);
+    let mut centroids = boxes;
+    for item in items {
+        let planes = item.load(simd);
+        boxes = boxes.min(planes);
+        centroids = centroids.min(centroid(simd, planes));
+    }
+    [boxes.to_array(), centroids.to_array()]
+}
+
+/// The middle, and the middle negated.
+#[inline(always)]
+fn centroid<S: Simd>(simd: S, planes: f32x8<S>) -> f32x8<S> {
+    let (lo, hi) = simd.split_f32x8(planes);
+    planes * 0.5 - simd.combine_f32x4(hi, lo) * 0.5
+}
+
+/// Half of the surface area of each.
+#[inline(always)]
+fn half_areas<S: Simd>(simd: S, [a, b, c]: [f32x8<S>; 3]) -> f32x4<S> {
+    // Not by `map`: closures would not be compiled for the level.
+    let (a, b, c) = (extent(simd, a), extent(simd, b), extent(simd, c));
+    let (first, second) = (a.zip_low(c), b.zip_low(c));
+    let (third, fourth) = (a.zip_high(c), b.zip_high(c));
+    let (x, y, z) = (first.zip_low(second), first.zip_high(second), third.zip_low(fourth));
+    (x + y) * z + x * y
+}
+
+/// Negated, as both factors of an area are.
+#[inline(always)]
+fn extent<S: Simd>(simd: S, planes: f32x8<S>) -> f32x4<S> {
+    let (lo, hi) = simd.split_f32x8(planes);
+    lo + hi
+}
+
+#[cfg(test)]
+mod tests;

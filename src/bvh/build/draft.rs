@@ -1,7 +1,8 @@
-//! A hierarchy while it is built, in whatever order suits the builder, and its layout.
+//! A tree with a node for each primitive, of which binary hierarchies and wide ones are made.
 
-use super::Primitives;
-use super::item::CHUNK;
+use super::record::{CHUNK, Record};
+use super::sah::NODE_COST;
+use super::{Primitives, SahOptions};
 use crate::bvh::least::Least;
 use crate::bvh::{Bvh, BvhNode, BvhTree, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
@@ -9,160 +10,228 @@ use crate::order::SignOrder;
 use crate::threads;
 use crate::tree::{Node, Recorded};
 
-/// What a builder makes. Node 0 is the root; nodes that are not reached from it do not count.
+/// A tree whose root is node 0. Children stand side by side, the first pair at 1; some places may be free.
 #[derive(Clone, Debug)]
-pub(super) struct Draft {
-    pub(super) nodes: Vec<DraftNode>,
-    /// Indices of primitives; each leaf has a range.
-    pub(super) references: Vec<u32>,
+pub(in crate::bvh) struct Draft {
+    pub(in crate::bvh) nodes: Vec<Record>,
+    /// Whether there may be several nodes for one primitive, each of a part of it.
+    pub(in crate::bvh) has_parts: bool,
+    /// The same nodes with their boxes, where those of `nodes` are of another size.
+    pub(super) unscaled: Option<Vec<Record>>,
 }
 
-/// An inner node, whose children stand side by side, or a leaf.
+/// What becomes a leaf.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(32))]
-pub(super) struct DraftNode {
-    /// Holds everything below. Those of children are inside of their parent's.
-    pub(super) aabb: Aabb,
-    /// Of an inner node its left child, of a leaf its first reference.
-    first: u32,
-    /// Of a leaf the number of references, at least 1; of an inner node [`INNER`] and the axis.
-    tag: u32,
-}
-
-const INNER: u32 = 1 << 31;
-
-impl DraftNode {
-    /// What stands where there is no node.
-    pub(super) const NONE: Self = Self { aabb: Aabb::EMPTY, first: 0, tag: 0 };
-
-    /// An inner node with children at `left` and `left + 1`, of which the left one has the smaller centroids on `axis`.
-    pub(super) fn inner(aabb: Aabb, left: usize, axis: usize) -> Self {
-        Self { aabb, first: left as u32, tag: INNER | axis as u32 }
-    }
-
-    /// A leaf with a range of references, not empty.
-    pub(super) fn leaf(aabb: Aabb, first: usize, count: usize) -> Self {
-        Self { aabb, first: first as u32, tag: count as u32 }
-    }
-
-    /// The same where all places are `by` further on.
-    pub(super) fn moved(mut self, by: usize) -> Self {
-        if !self.is_leaf() {
-            self.first += by as u32;
-        }
-        self
-    }
-
-    pub(super) fn is_leaf(&self) -> bool {
-        self.tag & INNER == 0
-    }
-
-    /// Left and right child of an inner node.
-    pub(super) fn children(&self) -> [usize; 2] {
-        [self.first as usize, self.first as usize + 1]
-    }
-
-    /// Split axis of an inner node.
-    pub(super) fn axis(&self) -> usize {
-        (self.tag & !INNER) as usize
-    }
-
-    /// Where the references of a leaf are.
-    pub(super) fn references(&self) -> std::ops::Range<usize> {
-        self.first as usize..self.first as usize + self.tag as usize
-    }
-}
-
-/// For children that no plane has parted: the axis on which their centres differ most, and whether the first one has
-/// the smaller centre there.
-pub(super) fn order_of(first: &Aabb, second: &Aabb) -> (usize, bool) {
-    let apart = second.centroid() - first.centroid();
-    let axis = apart.abs().max_position();
-    (axis, apart[axis] >= 0.0)
+pub(super) enum Leaves {
+    /// What fits in one and costs less so.
+    Cheapest,
+    /// What fits in one.
+    Full,
+    /// What is at this depth.
+    At(u32),
 }
 
 impl Draft {
+    pub(in crate::bvh) fn node(&self, place: u32) -> &Record {
+        &self.nodes[place as usize]
+    }
+
+    /// The box of a node.
+    pub(in crate::bvh) fn aabb(&self, place: u32) -> Aabb {
+        self.unscaled.as_ref().unwrap_or(&self.nodes)[place as usize].aabb()
+    }
+
+    /// The children of an inner node.
+    pub(in crate::bvh) fn children(&self, node: &Record) -> [&Record; 2] {
+        [self.node(node.first()), self.node(node.first() + 1)]
+    }
+
+    /// Of nodes whose children stand behind their parents, which do not count yet what is below them.
+    pub(in crate::bvh) fn counted(nodes: Vec<Record>, has_parts: bool) -> Self {
+        let mut draft = Self { nodes, has_parts, unscaled: None };
+        for place in (0..draft.nodes.len()).rev() {
+            let node = &draft.nodes[place];
+            if !node.is_leaf() {
+                draft.nodes[place] = node.holding(draft.children(node).map(Record::count).iter().sum());
+            }
+        }
+        draft
+    }
+
+    /// Calls `visit` with all places, children before their parents.
+    pub(in crate::bvh) fn upward(&self, mut visit: impl FnMut(u32)) {
+        let mut order = Vec::with_capacity(self.nodes.len());
+        let mut pending = vec![0];
+        while let Some(place) = pending.pop() {
+            order.push(place);
+            let node = self.node(place);
+            if !node.is_leaf() {
+                pending.extend([node.first(), node.first() + 1]);
+            }
+        }
+        order.into_iter().rev().for_each(&mut visit);
+    }
+
+    /// The same tree with the boxes of these primitives.
+    pub(super) fn fitted<P: Primitives + ?Sized>(mut self, primitives: &P) -> Self {
+        let mut nodes = self.nodes.clone();
+        self.upward(|place| {
+            let first = self.node(place).first();
+            nodes[place as usize] = if self.node(place).is_leaf() {
+                Record::item(&primitives.aabb(first as usize), first)
+            } else {
+                Record::parent([0, 1].map(|side| &nodes[(first + side) as usize]), first)
+            };
+        });
+        self.unscaled = Some(nodes);
+        self
+    }
+
+    /// The primitives below a node, from left to right; each once, and in order where there are parts.
+    pub(in crate::bvh) fn prims(&self, place: u32, prims: &mut Vec<u32>) {
+        let start = prims.len();
+        self.leaves(place, |leaf| prims.push(leaf.first()));
+        if self.has_parts {
+            prims[start..].sort_unstable();
+            let mut kept = start;
+            for i in start..prims.len() {
+                if i == start || prims[i] != prims[i - 1] {
+                    prims[kept] = prims[i];
+                    kept += 1;
+                }
+            }
+            prims.truncate(kept);
+        }
+    }
+
+    /// The leaves below a node, from left to right.
+    pub(in crate::bvh) fn leaves(&self, place: u32, mut visit: impl FnMut(&Record)) {
+        let mut pending = vec![place];
+        while let Some(place) = pending.pop() {
+            let node = self.node(place);
+            if node.is_leaf() { visit(node) } else { pending.extend([node.first() + 1, node.first()]) }
+        }
+    }
+
     /// Writes nodes, leaves and shapes in depth-first order.
-    pub(super) fn lay_out<P: Primitives + ?Sized>(&self, primitives: &P, dropped: usize) -> Bvh<P::Shape> {
-        let bounds = self.nodes[0].aabb;
-        let Layout { nodes, axes, leaves, prims, root, depth } = Layout::of(self);
+    pub(super) fn lay_out<P: Primitives + ?Sized>(
+        &self,
+        primitives: &P,
+        dropped: usize,
+        leaves: Leaves,
+        sah: SahOptions,
+    ) -> Bvh<P::Shape> {
+        let bounds = self.aabb(0);
+        let mut layout = Layout { draft: self, rule: leaves, sah, made: Made::default(), prims: Vec::new() };
+        layout.prims.reserve(self.nodes[0].count() as usize);
+        layout.place();
+        let Layout { mut made, prims, .. } = layout;
+        made.link();
         let held = |prim: u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
         let triangles = threads::map(0..prims.len(), CHUNK, |i| held(prims[i]));
         let (recorded, region) = (Recorded::ParentSibling, Region::within(primitives.frame(), &bounds));
-        let duplicates = self.references.len() + dropped - primitives.count();
+        let duplicates = prims.len() + dropped - primitives.count();
+        let Made { nodes, axes, leaves, depth } = made;
+        let root = if nodes.is_empty() { Node::leaf(0) } else { Node::inner(0) };
         let tree = BvhTree { root, depth, recorded, nodes, axes, leaves };
         Bvh { dropped, duplicates, bounds, region, tree, triangles, least: Least::default() }
     }
 }
 
+struct Layout<'a> {
+    draft: &'a Draft,
+    rule: Leaves,
+    sah: SahOptions,
+    made: Made,
+    /// Of all leaves.
+    prims: Vec<u32>,
+}
+
 /// All but the shapes.
-struct Layout {
+#[derive(Default)]
+struct Made {
     nodes: Vec<BvhNode>,
     axes: Vec<u8>,
     leaves: Vec<Leaf>,
-    /// Of all leaves.
-    prims: Vec<u32>,
-    root: Node,
     depth: u32,
 }
 
-impl Layout {
-    fn of(draft: &Draft) -> Self {
-        // Leaves that are not reached are counted too, so this is room enough.
-        let leaves = draft.nodes.iter().filter(|node| node.is_leaf() && node.tag > 0).count();
-        let mut layout = Self {
-            nodes: Vec::with_capacity(leaves),
-            axes: Vec::with_capacity(leaves),
-            leaves: Vec::with_capacity(leaves),
-            prims: Vec::with_capacity(draft.references.len()),
-            root: if draft.nodes[0].is_leaf() { Node::leaf(0) } else { Node::inner(0) },
-            depth: 0,
-        };
-        layout.place(draft);
-        layout.link();
-        layout
-    }
-
+impl Layout<'_> {
     /// Places all nodes, which name no others than their children yet.
-    fn place(&mut self, draft: &Draft) {
-        let links = [self.root; 2];
+    fn place(&mut self) {
+        let links = [Node::inner(0); 2];
         // Nodes still to be placed, and where the address of each is to stand.
         let mut pending = vec![(0, 0, None)];
-        while let Some((index, depth, parent)) = pending.pop() {
-            let node = &draft.nodes[index];
-            let is_leaf = node.is_leaf();
-            let address =
-                if is_leaf { Node::leaf(self.leaves.len() as u32) } else { Node::inner(self.nodes.len() as u32) };
+        while let Some((place, depth, parent)) = pending.pop() {
+            let is_leaf = self.is_leaf(self.draft.node(place), depth);
+            let (nodes, leaves) = (self.made.nodes.len() as u32, self.made.leaves.len() as u32);
+            let address = if is_leaf { Node::leaf(leaves) } else { Node::inner(nodes) };
             if let Some((parent, side)) = parent {
-                let parent: &mut BvhNode = &mut self.nodes[parent];
+                let parent: &mut BvhNode = &mut self.made.nodes[parent];
                 parent.children[side] = address;
             }
             if is_leaf {
-                let (first, count) = (self.prims.len() as u32, node.references().len() as u32);
-                self.leaves.push(Leaf { first, count, links });
-                self.prims.extend_from_slice(&draft.references[node.references()]);
-                self.depth = self.depth.max(depth);
+                let first = self.prims.len();
+                self.draft.prims(place, &mut self.prims);
+                let count = self.prims.len() - first;
+                self.made.leaves.push(Leaf { first: first as u32, count: count as u32, links });
+                self.made.depth = self.made.depth.max(depth);
                 continue;
             }
-            let [mut left, mut right] = node.children();
-            let mut axis = node.axis() as u8;
+            let first = self.draft.node(place).first();
+            let children = self.draft.children(self.draft.node(place));
+            let (axis, in_order) = order_of(children.map(Record::aabb));
             // The larger one is the left one: it is visited more often, and stands behind its parent.
-            if draft.nodes[left].aabb.half_area() < draft.nodes[right].aabb.half_area() {
-                (left, right) = (right, left);
-                axis |= SignOrder::REVERSED;
-            }
-            // The left child is placed next.
-            pending.push((right, depth + 1, Some((address.index(), 1))));
-            pending.push((left, depth + 1, Some((address.index(), 0))));
-            self.axes.push(axis);
+            let left = usize::from(children[0].half_area() < children[1].half_area());
+            let boxes = [first, first + 1].map(|place| self.draft.aabb(place));
+            let is_reversed = in_order == (left == 1);
+            self.made.axes.push(axis as u8 | if is_reversed { SignOrder::REVERSED } else { 0 });
             let mut node = BvhNode { planes: [[0.0; 4]; 3], children: links, links };
-            node.set_child_boxes(&draft.nodes[left].aabb, &draft.nodes[right].aabb);
-            self.nodes.push(node);
+            node.set_child_boxes(&boxes[left], &boxes[1 - left]);
+            self.made.nodes.push(node);
+            // The left child is placed next.
+            for side in [1, 0] {
+                let place = first + (if side == 0 { left } else { 1 - left }) as u32;
+                pending.push((place, depth + 1, Some((address.index(), side))));
+            }
         }
     }
 
+    fn is_leaf(&self, node: &Record, depth: u32) -> bool {
+        let fits = node.count() <= self.sah.max_leaf;
+        node.is_leaf()
+            || match self.rule {
+                Leaves::Cheapest => fits && (depth >= self.sah.depth_limit || self.cost(node).1),
+                Leaves::Full => fits,
+                Leaves::At(deepest) => depth >= deepest,
+            }
+    }
+
+    /// What a node costs that fits in a leaf, in triangle tests times its half area, and whether it costs that as a leaf.
+    fn cost(&self, node: &Record) -> (f32, bool) {
+        let as_leaf = node.half_area() * node.count() as f32;
+        if node.is_leaf() {
+            return (as_leaf, true);
+        }
+        let [left, right] = self.draft.children(node).map(|child| self.cost(child).0);
+        let as_node = node.half_area() * NODE_COST + left + right;
+        if as_leaf <= as_node { (as_leaf, true) } else { (as_node, false) }
+    }
+}
+
+/// The axis on which the middles of two boxes differ most, and whether the first one is less there.
+fn order_of([first, second]: [Aabb; 2]) -> (usize, bool) {
+    let apart = second.centroid() - first.centroid();
+    let axis = apart.abs().max_position();
+    (axis, apart[axis] >= 0.0)
+}
+
+impl Made {
     /// Has all records name parent and sibling, which the default traversal climbs by. The root names itself.
     fn link(&mut self) {
+        if self.nodes.is_empty() {
+            self.leaves[0].links = [Node::leaf(0); 2];
+        }
         for i in 0..self.nodes.len() {
             let [left, right] = self.nodes[i].children;
             for (child, sibling) in [(left, right), (right, left)] {

@@ -1,27 +1,32 @@
-//! Builders. Each makes a [`Draft`](draft::Draft); the layout is one for all.
+//! Builders. Each makes a [`Draft`] with a node for each primitive; the layout is one for all.
 //!
-//! The same primitives and options give the same tree, on any number of threads.
+//! The same primitives and options give the same tree, on any number of threads and any machine.
 
 mod bins;
-mod bounded;
 mod draft;
-mod item;
-mod linear;
-mod median;
-mod optimise;
+mod merge;
+mod record;
+mod reinsert;
 mod sah;
 mod spatial;
-mod sweep;
 mod top_down;
 
+pub(super) use draft::Draft;
+pub(super) use record::Record;
 pub use sah::SahOptions;
 pub use spatial::SpatialOptions;
 
+use fearless_simd::Level;
+
 use super::{Bvh, Primitives};
+use crate::geom::lanes::levels;
 use crate::geom::{EnvironmentError, Mesh, Triangle, Vector};
 use crate::name::named;
 use crate::threads;
 use crate::tree::Node;
+use draft::Leaves;
+use reinsert::Rounds;
+use top_down::TopDown;
 
 /// Why a hierarchy cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -35,9 +40,6 @@ pub enum BuildError {
     /// A leaf must hold a triangle.
     #[error("leaves of 0 triangles were asked for")]
     ZeroLeafSize,
-    /// The number of bins is too small to split with, or absurdly great.
-    #[error("{0} bins are not between 2 and {max}", max = SahOptions::MAX_BINS)]
-    Bins(u32),
     /// The box of a primitive is empty or has a NaN.
     #[error("primitive {0} has no box")]
     NoBox(u32),
@@ -60,16 +62,21 @@ pub enum BuildError {
 }
 
 /// How a hierarchy is built, by name.
+///
+/// The first three cut by surface area, at the borders of bins (Wald 2007); then the largest nodes are taken out and put
+/// where they make boxes smallest (Meister & Bittner 2018).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Builder {
-    /// By surface area, at the borders of bins (Wald 2007).
+    /// In four rounds 1 % of the nodes are moved.
+    Fast,
+    /// In four rounds up to 10 % of the nodes are moved.
     #[default]
-    Sah,
-    /// By surface area, with triangles cut in two where that is cheaper (Stich, Friedrich & Dietrich 2009).
+    Standard,
+    /// In four rounds any node is moved.
+    Best,
+    /// As [`Standard`](Self::Standard), with triangles cut in two where that is cheaper (Stich, Friedrich & Dietrich
+    /// 2009).
     Spatial,
-    /// Fast: clusters along a space-filling curve, by surface area over and in them (Lauterbach et al. 2009; Garanzha
-    /// et al. 2011).
-    Linear,
     /// Eight levels by surface area, then medians: of bounded depth (Barringer & Akenine-Möller 2013).
     Bounded,
     /// A complete tree: all leaves at one depth.
@@ -78,16 +85,27 @@ pub enum Builder {
 
 impl Builder {
     /// All builders.
-    pub const ALL: [Self; 5] = [Self::Sah, Self::Spatial, Self::Linear, Self::Bounded, Self::Median];
+    pub const ALL: [Self; 6] = [Self::Fast, Self::Standard, Self::Best, Self::Spatial, Self::Bounded, Self::Median];
 
     /// The name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
-            Self::Sah => "sah",
+            Self::Fast => "fast",
+            Self::Standard => "standard",
+            Self::Best => "best",
             Self::Spatial => "sbvh",
-            Self::Linear => "lbvh",
             Self::Bounded => "bounded",
             Self::Median => "median",
+        }
+    }
+
+    /// How much is moved.
+    const fn rounds(self) -> Rounds {
+        match self {
+            Self::Fast => Rounds { count: 4, share: 0.01, decay: 1.0 },
+            Self::Standard | Self::Spatial => Rounds { count: 4, share: 0.1, decay: 0.7 },
+            Self::Best => Rounds { count: 4, share: 1.0, decay: 1.0 },
+            Self::Bounded | Self::Median => Rounds { count: 0, share: 0.0, decay: 0.0 },
         }
     }
 }
@@ -99,12 +117,10 @@ named!(Builder);
 pub struct BuildOptions {
     /// Which builder.
     pub builder: Builder,
-    /// Bins, leaf size and depth limit.
+    /// Leaf size and depth limit of binary hierarchies.
     pub sah: SahOptions,
     /// How primitives are cut.
     pub spatial: SpatialOptions,
-    /// Rounds of reinsertion (Meister & Bittner 2018) after the build; 0 for none.
-    pub reinsertion: u32,
     /// What becomes of triangles that no ray meets.
     pub degenerate: Degenerate,
 }
@@ -121,11 +137,11 @@ pub enum Degenerate {
 }
 
 impl BuildOptions {
-    /// One primitive a leaf, and deep enough for that: what a [wide hierarchy](super::WideBvh) is best made of, which
-    /// chooses its leaves itself.
+    /// One primitive a leaf, and deep enough for that: the binary tree that a [wide hierarchy](super::WideBvh) is made
+    /// of, which chooses its leaves itself.
     #[must_use]
     pub fn fine() -> Self {
-        Self { sah: SahOptions { max_leaf: 1, depth_limit: 60, ..SahOptions::default() }, ..Self::default() }
+        Self { sah: SahOptions { max_leaf: 1, depth_limit: 60 }, ..Self::default() }
     }
 
     /// A tree over primitives of any kind.
@@ -134,7 +150,7 @@ impl BuildOptions {
     /// use stackless_bvh::bvh::{BuildOptions, Builder};
     /// use stackless_bvh::generate::procedural;
     ///
-    /// let options = BuildOptions { builder: Builder::Spatial, reinsertion: 1, ..BuildOptions::default() };
+    /// let options = BuildOptions { builder: Builder::Best, ..BuildOptions::default() };
     /// let bvh = options.build(&procedural::strands(1, 100))?;
     /// # Ok::<(), stackless_bvh::bvh::BuildError>(())
     /// ```
@@ -155,41 +171,70 @@ impl BuildOptions {
         primitives: &P,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Bvh<P::Shape>, BuildError> {
-        threads::guarded(|| self.build_fit(primitives, progress))?
+        threads::guarded(|| {
+            let (draft, dropped) = self.draft(primitives, progress)?;
+            Ok(draft.lay_out(primitives, dropped, self.leaves(draft.nodes[0].count() as usize), self.sah))
+        })?
     }
 
-    fn build_fit<P: Primitives + ?Sized>(
+    /// A tree with a node for each primitive, and how many primitives were left out.
+    pub(super) fn draft<P: Primitives + ?Sized>(
         &self,
         primitives: &P,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Bvh<P::Shape>, BuildError> {
-        let (options, sah) = (self, self.sah);
+    ) -> Result<(Draft, usize), BuildError> {
+        self.draft_by(levels()[0].1, primitives, progress)
+    }
+
+    fn draft_by<P: Primitives + ?Sized>(
+        &self,
+        level: Level,
+        primitives: &P,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<(Draft, usize), BuildError> {
+        let sah = self.sah;
         if sah.max_leaf == 0 {
             return Err(BuildError::ZeroLeafSize);
         }
-        if !(2..=SahOptions::MAX_BINS).contains(&sah.bins) {
-            return Err(BuildError::Bins(sah.bins));
-        }
-        let extra_percent = options.spatial.extra_percent;
-        if options.builder == Builder::Spatial && extra_percent > SpatialOptions::MAX_EXTRA_PERCENT {
+        let extra_percent = self.spatial.extra_percent;
+        if self.builder == Builder::Spatial && extra_percent > SpatialOptions::MAX_EXTRA_PERCENT {
             return Err(BuildError::ExtraPercent(extra_percent));
         }
-        let items = item::items(primitives, options.degenerate)?;
+        let mut items = record::items(primitives, self.degenerate)?;
         let dropped = primitives.count() - items.len();
-        let draft = match options.builder {
-            Builder::Sah => sah::build(items, sah, progress)?,
-            Builder::Spatial => spatial::build(primitives, items, options, progress)?,
-            Builder::Linear => linear::build(items, sah, progress)?,
-            Builder::Bounded => bounded::build(items, sah, progress)?,
-            Builder::Median => median::build(items, sah, progress)?,
+        sah.check(items.len())?;
+        let is_spatial = self.builder == Builder::Spatial;
+        let is_scaled = !is_spatial && record::scale(&mut items);
+        let nodes = if is_spatial {
+            spatial::build(primitives, items, self, progress)
+        } else {
+            let by_area = match self.builder {
+                Builder::Bounded => BOUNDED_LEVELS,
+                Builder::Median => 0,
+                _ => u32::MAX,
+            };
+            TopDown { options: sah, by_area, level, progress }.build(items)
         };
-        let draft = match options.reinsertion {
-            0 => draft,
-            rounds => optimise::reinsert(draft, rounds, sah, progress),
-        };
-        Ok(draft.lay_out(primitives, dropped))
+        let mut draft = Draft { nodes, has_parts: is_spatial, unscaled: None };
+        reinsert::reinsert(&mut draft.nodes, self.builder.rounds(), sah, progress);
+        Ok((if is_scaled { draft.fitted(primitives) } else { draft }, dropped))
+    }
+
+    /// What becomes a leaf of so many items.
+    fn leaves(&self, items: usize) -> Leaves {
+        match self.builder {
+            Builder::Fast | Builder::Standard | Builder::Best | Builder::Spatial => Leaves::Cheapest,
+            Builder::Bounded => Leaves::Full,
+            Builder::Median => {
+                let wanted = items.div_ceil(self.sah.max_leaf as usize);
+                Leaves::At(wanted.next_power_of_two().ilog2().min(items.ilog2()))
+            }
+        }
     }
 }
+
+/// Levels of [`Builder::Bounded`] that are cut by surface area.
+const BOUNDED_LEVELS: u32 = 8;
 
 impl<S> Bvh<S> {
     /// A tree of low cost by the surface area heuristic, over a mesh or primitives of another kind. For others see
@@ -213,8 +258,8 @@ impl<S> Bvh<S> {
 impl<V: Vector> Bvh<Triangle<V>> {
     /// A tree of low cost by the surface area heuristic.
     ///
-    /// A node is cut by its middle where no plane separates the centroids, or where the cheapest cut would leave
-    /// one side with more triangles than fit below it within the depth limit.
+    /// A node is cut by its middle where no plane parts the centroids, or where the cheapest cut would leave one side
+    /// with more triangles than fit below it within the depth limit.
     ///
     /// # Errors
     /// What [`BuildError`] lists.
@@ -229,9 +274,9 @@ impl<V: Vector> Bvh<Triangle<V>> {
     /// `leaf_size` of 1, some leaves hold 2 unless the number of triangles is a power of two.
     ///
     /// # Errors
-    /// Any but [`BuildError::Bins`], [`BuildError::DepthLimit`] and [`BuildError::ExtraPercent`].
+    /// Any but [`BuildError::DepthLimit`] and [`BuildError::ExtraPercent`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
-        let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX, ..SahOptions::default() };
+        let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX };
         BuildOptions { builder: Builder::Median, sah, ..BuildOptions::default() }.build(mesh)
     }
 }

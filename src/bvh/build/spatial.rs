@@ -10,17 +10,16 @@
 //! threads.
 
 mod bins;
+mod extents;
 mod split;
 
-use super::draft::{Draft, DraftNode};
-use super::item::{Extents, Item};
-use super::sah::capacity;
+use super::record::Record;
 use super::top_down::halve;
-use super::{BuildError, BuildOptions, Primitives, SahOptions};
-use crate::geom::Aabb;
+use super::{BuildOptions, Primitives, SahOptions};
 use crate::threads;
 use crate::tree::Node;
 use bins::Bins;
+use extents::Extents;
 use split::Split;
 
 /// How the builder with spatial splits cuts primitives.
@@ -47,42 +46,29 @@ impl Default for SpatialOptions {
     }
 }
 
+/// A node for each part, and the nodes over them: children side by side, with free places in between.
 pub(super) fn build<P: Primitives + ?Sized>(
     primitives: &P,
-    mut items: Vec<Item>,
+    mut items: Vec<Record>,
     options: &BuildOptions,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<Draft, BuildError> {
-    let SahOptions { bins, max_leaf, depth_limit } = options.sah;
+) -> Vec<Record> {
     let count = items.len();
-    options.sah.check(count)?;
     let extra = (count as u64 * u64::from(options.spatial.extra_percent) / 100) as usize;
     let places = count.saturating_add(extra).min(Node::MAX_INDEX as usize);
-    items.resize(places, Item::new(&Aabb::EMPTY, 0));
-    let mut nodes = vec![DraftNode::NONE; 2 * places - 1];
-    let least_overlap = options.spatial.overlap * Extents::of(&items[..count]).boxes.half_area();
-    let builder = Builder { primitives, bins: bins as usize, max_leaf, depth_limit, least_overlap, progress };
+    let least_overlap = options.spatial.overlap * Extents::of(&items).boxes.half_area();
+    items.resize(places, Record::NONE);
+    let mut nodes = vec![Record::NONE; 2 * places - 1];
+    let builder = Builder { primitives, sah: options.sah, least_overlap, progress };
     if let Some((node, below)) = nodes.split_first_mut() {
-        builder.run(Range { items: &mut items, count, own: count, first: 0, node, below, next: 1, depth: 0 });
+        builder.run(Range { items: &mut items, count, own: count, node, below, next: 1, depth: 0 });
     }
-    Ok(without_free_places(nodes, &items))
-}
-
-fn without_free_places(mut nodes: Vec<DraftNode>, items: &[Item]) -> Draft {
-    let mut references = Vec::new();
-    for node in nodes.iter_mut().filter(|node| node.is_leaf()) {
-        let (first, range) = (references.len(), node.references());
-        *node = DraftNode::leaf(node.aabb, first, range.len());
-        references.extend(items[range].iter().map(Item::prim));
-    }
-    Draft { nodes, references }
+    nodes
 }
 
 struct Builder<'a, P: ?Sized> {
     primitives: &'a P,
-    bins: usize,
-    max_leaf: u32,
-    depth_limit: u32,
+    sah: SahOptions,
     /// Half area from which on spatial splits are tried.
     least_overlap: f32,
     progress: &'a (dyn Fn(usize) + Sync),
@@ -91,16 +77,14 @@ struct Builder<'a, P: ?Sized> {
 /// Items that a subtree is to be built over.
 struct Range<'a> {
     /// The items, and free places behind them.
-    items: &'a mut [Item],
+    items: &'a mut [Record],
     count: usize,
     /// Items less the references that were made for primitives which another range counts.
     own: usize,
-    /// Where the items are in the whole list.
-    first: usize,
-    node: &'a mut DraftNode,
-    /// Two fewer than twice the places, so that every leaf may have one reference.
-    below: &'a mut [DraftNode],
-    /// Where those nodes are in the draft.
+    node: &'a mut Record,
+    /// Two fewer than twice the places.
+    below: &'a mut [Record],
+    /// The place of the first of those nodes.
     next: usize,
     depth: u32,
 }
@@ -111,7 +95,7 @@ const PARALLEL: usize = 2048;
 impl<P: Primitives + ?Sized> Builder<'_, P> {
     /// Builds the subtree.
     fn run(&self, range: Range<'_>) {
-        let mut bins = Bins::new(self.bins);
+        let mut bins = Bins::new();
         let mut pending = vec![range];
         while let Some(range) = pending.pop() {
             let Some([left, right]) = self.cut(range, &mut bins) else { continue };
@@ -123,16 +107,17 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         }
     }
 
-    /// Cuts the range in two, or makes it a leaf.
+    /// Cuts the range in two, unless it is one item.
     fn cut<'r>(&self, range: Range<'r>, bins: &mut Bins) -> Option<[Range<'r>; 2]> {
-        let Range { items, count, own, first, node, below, next, depth } = range;
-        let extents = Extents::of(&items[..count]);
-        let Some((axis, [left, right])) = self.part(items, count, &extents, depth, bins) else {
-            *node = DraftNode::leaf(extents.boxes.aabb(), first, count);
+        let Range { items, count, own, node, below, next, depth } = range;
+        if count == 1 {
+            *node = items[0];
             (self.progress)(own);
             return None;
-        };
-        *node = DraftNode::inner(extents.boxes.aabb(), next, axis);
+        }
+        let extents = Extents::of(&items[..count]);
+        *node = Record::over(&extents.planes(), next as u32, count as u32);
+        let [left, right] = self.part(items, count, &extents, depth, bins);
         // The free places, by the counts.
         let spare = items.len() - left - right;
         let places = left + (spare as u64 * left as u64 / (left + right) as u64) as usize;
@@ -146,7 +131,6 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
                 items: left_items,
                 count: left,
                 own: own_left,
-                first,
                 node: left_node,
                 below: left_below,
                 next: next + 2,
@@ -156,7 +140,6 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
                 items: right_items,
                 count: right,
                 own: own - own_left,
-                first: first + places,
                 node: right_node,
                 below: right_below,
                 next: next + 2 * places,
@@ -165,45 +148,33 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         ])
     }
 
-    /// Moves the items of the left side to the front, those of the right side behind them, and says on which axis they
-    /// were cut and how many they are. `None` for a leaf.
-    fn part(
-        &self,
-        items: &mut [Item],
-        count: usize,
-        extents: &Extents,
-        depth: u32,
-        bins: &mut Bins,
-    ) -> Option<(usize, [usize; 2])> {
-        let levels = self.depth_limit - depth;
-        if count == 1 || levels == 0 {
-            return None;
-        }
-        let fits = |counts: &[usize; 2]| counts.iter().all(|&count| count <= capacity(self.max_leaf, levels - 1));
+    /// Moves the items of the left side to the front, those of the right side behind them, and says how many they are.
+    fn part(&self, items: &mut [Record], count: usize, extents: &Extents, depth: u32, bins: &mut Bins) -> [usize; 2] {
+        let levels = self.sah.levels_below(depth);
+        // Below the greatest depth are leaves.
+        let most = if levels == 0 { 0 } else { self.sah.capacity(levels - 1) };
+        let fits = |counts: &[usize; 2]| counts.iter().all(|&count| count <= most);
         let (range, spare) = (&items[..count], items.len() - count);
-        let object = bins.between(range, extents);
+        let object = bins.between(range, extents).filter(|_| levels > 0);
         let overlaps = object.as_ref().is_none_or(|split| split.overlap() > self.least_overlap);
-        let spatial =
-            if spare > 0 && overlaps { bins.across(self.primitives, range, spare, &extents.boxes) } else { None };
+        let may_cut = spare > 0 && overlaps && levels > 0;
+        let spatial = if may_cut { bins.across(self.primitives, range, spare, &extents.boxes) } else { None };
         let cost = |split: &Option<Split>| split.as_ref().map_or(f32::INFINITY, |split| split.cost);
-        let least = cost(&object).min(cost(&spatial));
-        if count <= self.max_leaf as usize && (least >= count as f32 || least.is_infinite()) {
-            return None;
-        }
-        if let Some(split) = spatial.filter(|split| split.cost < cost(&object))
+        // Parts cost more than they save where a leaf would be as cheap.
+        let is_worth = |split: &Split| count > self.sah.max_leaf as usize || split.cost < count as f32;
+        if let Some(split) = spatial.filter(|split| split.cost < cost(&object) && is_worth(split))
             && let Some([left, right]) = split.cut(self.primitives, range, spare)
             && fits(&[left.len(), right.len()])
         {
             items[..left.len()].copy_from_slice(&left);
             items[left.len()..left.len() + right.len()].copy_from_slice(&right);
-            return Some((split.axis, [left.len(), right.len()]));
+            return [left.len(), right.len()];
         }
         let range = &mut items[..count];
-        let cut = object.map(|split| (split.axis, split.part(range))).filter(|(_, counts)| fits(counts));
-        Some(cut.unwrap_or_else(|| {
-            let cut = halve(range, extents);
-            (cut.axis, [cut.left, count - cut.left])
-        }))
+        object.map(|split| split.part(range)).filter(fits).unwrap_or_else(|| {
+            let left = halve(range, &extents.centroid_planes());
+            [left, count - left]
+        })
     }
 }
 

@@ -4,19 +4,14 @@ use glam::{DVec3, Vec3};
 
 use super::*;
 use crate::bvh::tests::awkward;
-use crate::bvh::{Bounded, BvhNode, validate};
+use crate::bvh::{Bounded, validate};
 use crate::generate::draw::Draw;
 use crate::generate::procedural;
-use crate::geom::{Aabb, Real, Vector};
-use crate::order::{Side, SignOrder};
+use crate::geom::{Aabb, Real, Vector, power_of_two};
 use crate::tree::Topology;
 
 fn options(builder: Builder, max_leaf: u32, depth_limit: u32) -> BuildOptions {
-    BuildOptions {
-        builder,
-        sah: SahOptions { max_leaf, depth_limit, ..SahOptions::default() },
-        ..BuildOptions::default()
-    }
+    BuildOptions { builder, sah: SahOptions { max_leaf, depth_limit }, ..BuildOptions::default() }
 }
 
 #[test]
@@ -58,7 +53,7 @@ fn boxes_without_areas_are_halved() {
         Mesh::new(vertices, soup.triangles().to_vec()).expect("a mesh")
     };
     for size in [1e-23, 1e-25, 1e-30, 1e-36] {
-        for builder in [Builder::Sah, Builder::Linear, Builder::Spatial] {
+        for builder in Builder::ALL {
             let bvh = options(builder, 4, 100).build(&tiny(size)).expect("a tree");
             assert!(bvh.depth() <= 18, "{size:e} {builder}: {}", bvh.depth());
         }
@@ -82,6 +77,39 @@ fn any_number_of_threads_builds_the_same_tree() {
             assert!(one.leaves() == other.leaves() && one.triangles() == other.triangles(), "{builder} on {threads}");
             assert_eq!((one.axes(), one.depth()), (other.axes(), other.depth()));
         }
+    }
+}
+
+fn is_same(a: &Draft, b: &Draft) -> bool {
+    let mut pairs = a.nodes.iter().zip(&b.nodes);
+    a.nodes.len() == b.nodes.len() && pairs.all(|(a, b)| a.is_same(b) && a.first() == b.first())
+}
+
+#[test]
+fn any_level_builds_the_same_tree() {
+    for mesh in [procedural::soup(3, 20_000), procedural::strands(1, 2000)] {
+        for builder in Builder::ALL {
+            let at = |level| options(builder, 4, 31).draft_by(level, &mesh, &|_| ()).expect("a tree").0;
+            let drafts: Vec<_> = levels().into_iter().map(|(_, level)| at(level)).collect();
+            assert!(drafts.iter().all(|draft| is_same(draft, &drafts[0])), "{builder}");
+        }
+    }
+}
+
+/// Where areas overflow or vanish the tree is no worse.
+#[test]
+fn trees_do_not_depend_on_the_unit() {
+    let soup = procedural::soup(7, 3000);
+    let order = |exponent: i32| {
+        let vertices = soup.vertices().iter().map(|&corner| corner * power_of_two(exponent) as f32).collect();
+        let mesh = Mesh::new(vertices, soup.triangles().to_vec()).expect("a mesh");
+        let bvh = Bvh::build(&mesh).expect("a tree");
+        validate(&bvh, &mesh).expect("sound");
+        bvh.triangles().iter().map(|held| held.prim).collect::<Vec<_>>()
+    };
+    let expected = order(0);
+    for exponent in [-90, -60, -30, 30, 60, 120] {
+        assert!(order(exponent) == expected, "2^{exponent}");
     }
 }
 
@@ -133,66 +161,35 @@ fn cost(bvh: &Bvh) -> f32 {
 }
 
 #[test]
-fn the_fast_builder_is_nearly_as_good() {
+fn trees_by_area_are_the_cheapest() {
     for mesh in [procedural::stadium(1), procedural::strands(1, 500), procedural::soup(1, 20_000)] {
-        let [sah, fast, median] = [Builder::Sah, Builder::Linear, Builder::Median]
-            .map(|builder| cost(&options(builder, 4, 31).build(&mesh).expect("a tree")));
-        assert!(fast < 1.25 * sah && fast < median, "{sah} {fast} {median}");
+        let [fast, standard, best, bounded, median] =
+            [Builder::Fast, Builder::Standard, Builder::Best, Builder::Bounded, Builder::Median]
+                .map(|builder| cost(&options(builder, 4, 31).build(&mesh).expect("a tree")));
+        let (least, most) = (fast.min(standard).min(best), fast.max(standard).max(best));
+        let costs = [fast, standard, best, bounded, median];
+        assert!(most < 1.2 * least && most < bounded && bounded < median, "{costs:?}");
     }
-}
-
-#[test]
-fn axes_say_which_child_comes_first() {
-    let mesh = procedural::soup(5, 20_000);
-    for builder in Builder::ALL {
-        let bvh = options(builder, 4, 31).build(&mesh).expect("a tree");
-        // Centroids of triangles are in order, so middles of boxes nearly always are.
-        let is_first = |pair: &(&BvhNode, &u8)| {
-            let (node, &axis) = *pair;
-            let along = usize::from(axis % SignOrder::REVERSED);
-            let [left, right] = [Side::Left, Side::Right].map(|side| node.child_box(side).centroid()[along]);
-            if axis < SignOrder::REVERSED { left <= right } else { right <= left }
-        };
-        let first = bvh.nodes().iter().zip(bvh.axes()).filter(is_first).count();
-        assert!(first as f32 > 0.9 * bvh.nodes().len() as f32, "{builder}: {first} of {}", bvh.nodes().len());
-    }
-}
-
-#[test]
-fn a_small_object_far_from_another_is_sorted_too() {
-    // All but one triangle have the same code at first.
-    let mut corners: Vec<Vec3> = procedural::soup(4, 3000).vertices().to_vec();
-    corners.extend([1e8, 1.1e8, 1.2e8].map(|x| Vec3::new(x, x * x / 1e8, 0.0)));
-    let triangles = (0..corners.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let mesh = Mesh::new(corners, triangles).expect("a mesh");
-    let [sah, fast] =
-        [Builder::Sah, Builder::Linear].map(|builder| options(builder, 4, 31).build(&mesh).expect("a tree"));
-    validate(&fast, &mesh).expect("sound");
-    validate(&fast, &mesh).expect("sound");
-    let areas = |bvh: &Bvh| bvh.own_boxes().iter().skip(1).map(Aabb::half_area).filter(|&a| a < 10.0).sum::<f32>();
-    assert!(areas(&fast) < 1.2 * areas(&sah), "{} {}", areas(&fast), areas(&sah));
 }
 
 #[test]
 fn the_bounded_builder_has_eight_levels_and_then_medians() {
     let mesh = procedural::stadium(2);
-    let sah = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
     let bounded = options(Builder::Bounded, 4, 31).build(&mesh).expect("a tree");
-    // Primitives below each node of the eighth level.
+    let standard = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
+    // Primitives below each node of the eighth level, and how deep it is.
     let mut rests = Vec::new();
-    let mut pending = vec![(bounded.root(), sah.root(), 0)];
-    while let Some((node, same, depth)) = pending.pop() {
+    let mut pending = vec![(bounded.root(), 0)];
+    while let Some((node, depth)) = pending.pop() {
         if depth == 8 {
             rests.push(below(&bounded, node));
         } else if !node.is_leaf() {
-            assert_eq!(bounded.node(node.index()).planes, sah.node(same.index()).planes);
-            let children = bounded.children(node).into_iter().zip(sah.children(same));
-            pending.extend(children.map(|(child, same)| (child, same, depth + 1)));
+            pending.extend(bounded.children(node).map(|child| (child, depth + 1)));
         }
     }
     let greatest = rests.iter().copied().max().expect("the tree is deep enough");
     assert!(bounded.depth() <= 8 + greatest.next_power_of_two().ilog2(), "{} {greatest}", bounded.depth());
-    assert!(bounded.depth() < sah.depth());
+    assert!(bounded.depth() < standard.depth());
 }
 
 /// Number of primitives below a node.
@@ -255,7 +252,7 @@ fn too_many_further_references_are_refused() {
         assert_eq!(build(Builder::Spatial, extra_percent), Err(BuildError::ExtraPercent(extra_percent)));
     }
     // Others ignore what does not concern them.
-    assert!(build(Builder::Sah, u32::MAX).is_ok());
+    assert!(build(Builder::Standard, u32::MAX).is_ok());
 }
 
 /// Thin and long triangles, which are cut, in frames or not: bounds are those of the triangles, by every builder. So it
@@ -271,16 +268,14 @@ fn bounds_depend_on_no_builder<V: Vector>(scales: &[f64]) {
         });
         let mesh =
             Mesh::new(vertices.collect(), (0..8).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh");
-        let bounds = |builder, reinsertion| {
+        let bounds = |builder| {
             let spatial = SpatialOptions { extra_percent: 1000, overlap: 0.0 };
-            let options = BuildOptions { builder, spatial, reinsertion, ..BuildOptions::fine() };
+            let options = BuildOptions { builder, spatial, ..BuildOptions::fine() };
             options.build(&mesh).expect("a tree").bounds()
         };
-        let expected = bounds(Builder::Median, 0);
+        let expected = bounds(Builder::Median);
         for builder in Builder::ALL {
-            for reinsertion in [0, 3] {
-                assert_eq!(bounds(builder, reinsertion), expected, "{round} {builder} {reinsertion} {scale:e} {shift}");
-            }
+            assert_eq!(bounds(builder), expected, "{round} {builder} {scale:e} {shift}");
         }
     }
 }

@@ -1,108 +1,178 @@
-//! Construction from the top down: a builder is a function that cuts a range of items in two, or makes it a leaf.
+//! From the top down by surface area, or by medians; few items at once from the bottom up.
 
-use super::draft::{Draft, DraftNode};
-use super::item::{Extents, Item};
+use fearless_simd::{Level, Simd};
+
+use super::SahOptions;
+use super::bins::{Bins, Border, Scale, extents};
+use super::merge::{self, merge};
+use super::record::{CHUNK, Planes, Record};
+use crate::geom::lanes::vectorize;
 use crate::threads;
 
-/// A cut of a range that has been reordered: the `left` first items have the smaller centroids on `axis`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Cut {
-    pub(super) axis: usize,
-    pub(super) left: usize,
-    /// Of the left and of the right side.
-    pub(super) extents: [Extents; 2],
+/// A builder that cuts a range of items in two, and so on.
+pub(super) struct TopDown<'p> {
+    pub(super) options: SahOptions,
+    /// Levels that are cut by surface area. Below them ranges are cut at the middle of their count.
+    pub(super) by_area: u32,
+    pub(super) level: Level,
+    pub(super) progress: &'p (dyn Fn(usize) + Sync),
 }
 
-/// Builds with `cut`, which gets a range, its extents and its depth, and reorders it, or returns `None` for a leaf.
-///
-/// There must be an item. `cut` must leave no side empty.
-pub(super) fn build<C>(mut items: Vec<Item>, cut: C, progress: &(dyn Fn(usize) + Sync)) -> Draft
-where
-    C: Fn(&mut [Item], &Extents, u32) -> Option<Cut> + Sync,
-{
-    let mut nodes = Vec::with_capacity(items.len());
-    nodes.push(DraftNode::NONE);
-    let extents = Extents::of(&items);
-    let builder = TopDown { cut, progress, is_parallel: threads::count() > 1 };
-    builder.run(Subtree { items: &mut items, first: 0, extents, depth: 0, own: 0 }, &mut nodes);
-    Draft { nodes, references: items.iter().map(Item::prim).collect() }
-}
-
-/// A subtree that is still to be built.
-struct Subtree<'a> {
-    items: &'a mut [Item],
-    /// Where the items start among all.
-    first: usize,
-    extents: Extents,
+/// Items over which the descendants of a node are to be written.
+struct Task<'a> {
+    items: &'a mut [Record],
+    /// Two fewer than twice the items.
+    nodes: &'a mut [Record],
+    /// The place of the first of these.
+    from: u32,
     depth: u32,
-    /// Where its root stands.
-    own: usize,
+    centroids: Planes,
+}
+
+/// A cut of a range that has been reordered.
+struct Cut {
+    left: usize,
+    boxes: [Planes; 2],
+    centroids: [Planes; 2],
+}
+
+impl Cut {
+    #[inline(always)]
+    fn in_half<S: Simd>(simd: S, items: &mut [Record], centroids: &Planes) -> Self {
+        let left = halve(items, centroids);
+        let (of_left, of_right) = items.split_at(left);
+        let ([left_box, of_left], [right_box, of_right]) = (extents(simd, of_left), extents(simd, of_right));
+        Self { left, boxes: [left_box, right_box], centroids: [of_left, of_right] }
+    }
 }
 
 /// Subtrees of so many items are tasks of their own.
 const TASK: usize = 1 << 12;
 
-struct TopDown<'b, C> {
-    cut: C,
-    progress: &'b (dyn Fn(usize) + Sync),
-    is_parallel: bool,
-}
+impl TopDown<'_> {
+    /// A node for each item, and the nodes over them: children side by side, below them those of the left one, then those
+    /// of the right one.
+    pub(super) fn build(&self, mut items: Vec<Record>) -> Vec<Record> {
+        let n = items.len();
+        let mut nodes = vec![Record::NONE; 2 * n - 1];
+        let (root, rest) = nodes.split_at_mut(1);
+        if n == 1 {
+            root[0] = items[0];
+            (self.progress)(1);
+            return nodes;
+        }
+        let [boxes, centroids] = self.extents(&items);
+        root[0] = Record::over(&boxes, 1, n as u32);
+        self.run(Task { items: &mut items, nodes: rest, from: 1, depth: 0, centroids });
+        nodes
+    }
 
-impl<C: Fn(&mut [Item], &Extents, u32) -> Option<Cut> + Sync> TopDown<'_, C> {
-    /// Adds the nodes of a subtree. Recursive only where both sides have many items, as trees may be deep.
-    fn run(&self, root: Subtree<'_>, nodes: &mut Vec<DraftNode>) {
+    fn run(&self, task: Task<'_>) {
+        vectorize!(self.level, simd => self.run_by(simd, task));
+    }
+
+    /// Recursive only where both sides have many items, as trees may be deep.
+    #[inline(always)]
+    fn run_by<S: Simd>(&self, simd: S, task: Task<'_>) {
         let mut done = 0;
-        let mut pending = vec![root];
-        while let Some(Subtree { items, first, extents, depth, own }) = pending.pop() {
-            let aabb = extents.boxes.aabb();
-            let Some(Cut { axis, left, extents }) = (self.cut)(items, &extents, depth) else {
-                nodes[own] = DraftNode::leaf(aabb, first, items.len());
-                done += items.len();
+        let mut pending = vec![task];
+        while let Some(Task { items, nodes, from, depth, centroids }) = pending.pop() {
+            let n = items.len();
+            if n <= merge::MAX && self.may_merge(n, depth) {
+                merge(simd, items, nodes, from);
+                done += n;
                 if done >= TASK {
                     (self.progress)(std::mem::take(&mut done));
                 }
                 continue;
+            }
+            let cut = self.cut(simd, items, &centroids, depth);
+            let (left_items, right_items) = items.split_at_mut(cut.left);
+            let (children, rest) = nodes.split_at_mut(2);
+            let (left_nodes, right_nodes) = rest.split_at_mut(2 * left_items.len() - 2);
+            let starts = [from + 2, from + 2 + left_nodes.len() as u32];
+            let node = |items: &[Record], side: usize| match items {
+                [item] => *item,
+                _ => Record::over(&cut.boxes[side], starts[side], items.len() as u32),
             };
-            let place = nodes.len();
-            nodes[own] = DraftNode::inner(aabb, place, axis);
-            nodes.extend([DraftNode::NONE; 2]);
-            let (left_items, right_items) = items.split_at_mut(left);
-            let [left_extents, right_extents] = extents;
-            let (first_right, depth) = (first + left, depth + 1);
-            let left = Subtree { items: left_items, first, extents: left_extents, depth, own: place };
+            (children[0], children[1]) = (node(left_items, 0), node(right_items, 1));
+            let ([left_centroids, right_centroids], depth) = (cut.centroids, depth + 1);
+            let left = Task { items: left_items, nodes: left_nodes, from: starts[0], depth, centroids: left_centroids };
             let right =
-                Subtree { items: right_items, first: first_right, extents: right_extents, depth, own: place + 1 };
-            if self.is_parallel && left.items.len().min(right.items.len()) >= TASK {
-                let mut others = vec![DraftNode::NONE];
-                threads::join(|| self.run(left, nodes), || self.run(Subtree { own: 0, ..right }, &mut others));
-                nodes[place + 1] = append(nodes, &others);
-            } else {
-                pending.extend([right, left]);
+                Task { items: right_items, nodes: right_nodes, from: starts[1], depth, centroids: right_centroids };
+            if left.items.len().min(right.items.len()) >= TASK && threads::count() > 1 {
+                threads::join(|| self.run(left), || self.run(right));
+                continue;
+            }
+            for task in [right, left] {
+                if task.items.len() > 1 { pending.push(task) } else { done += 1 }
             }
         }
         (self.progress)(done);
     }
+
+    /// Whether any tree over so many items is flat enough.
+    fn may_merge(&self, n: usize, depth: u32) -> bool {
+        let is_leaf = n <= self.options.max_leaf as usize;
+        n == 2 || depth < self.by_area && (is_leaf || n <= self.options.levels_below(depth) as usize + 1)
+    }
+
+    #[inline(always)]
+    fn cut<S: Simd>(&self, simd: S, items: &mut [Record], centroids: &Planes, depth: u32) -> Cut {
+        let levels = self.options.levels_below(depth);
+        // Below the greatest depth are leaves.
+        if depth >= self.by_area || levels == 0 {
+            return Cut::in_half(simd, items, centroids);
+        }
+        let most = self.options.capacity(levels - 1);
+        match items.len() {
+            ..64 => self.cut_by::<S, 8>(simd, items, centroids, most),
+            64..1024 => self.cut_by::<S, 16>(simd, items, centroids, most),
+            _ => self.cut_by::<S, 32>(simd, items, centroids, most),
+        }
+    }
+
+    /// By the cheapest border of `N` bins on each axis; by the middle where there is none, or a side would have too many
+    /// items for the depth.
+    #[inline(always)]
+    fn cut_by<S: Simd, const N: usize>(&self, simd: S, items: &mut [Record], centroids: &Planes, most: usize) -> Cut {
+        let (n, scale) = (items.len(), Scale::new(centroids, N));
+        let border = if n >= 4 * CHUNK && threads::count() > 1 {
+            let of = |items: &[Record]| self.bins::<N>(items, &scale);
+            threads::reduce(items, CHUNK, of, Bins::and).and_then(|bins| bins.cheapest(simd, n))
+        } else {
+            Bins::<N>::of(simd, items, &scale).cheapest(simd, n)
+        };
+        let Some(border) = border.filter(|border| border.left.max(n - border.left) <= most) else {
+            return Cut::in_half(simd, items, centroids);
+        };
+        let (left, centroids) = border.part(simd, items, &scale);
+        let Border { boxes, .. } = border;
+        Cut { left, boxes, centroids }
+    }
+
+    /// By all threads, so that each needs the level for itself.
+    fn bins<const N: usize>(&self, items: &[Record], scale: &Scale) -> Bins<N> {
+        vectorize!(self.level, simd => Bins::of(simd, items, scale))
+    }
+
+    fn extents(&self, items: &[Record]) -> [Planes; 2] {
+        vectorize!(self.level, simd => extents(simd, items))
+    }
 }
 
-/// Adds the nodes of another draft but its root, which is returned.
-pub(super) fn append(nodes: &mut Vec<DraftNode>, others: &[DraftNode]) -> DraftNode {
-    let by = nodes.len() - 1;
-    let mut others = others.iter().map(|node| node.moved(by));
-    let root = others.next().unwrap_or(DraftNode::NONE);
-    nodes.extend(others);
-    root
-}
-
-/// Cuts at the exact middle of the count, along the axis on which the centroids spread most.
+/// Puts the items with the smaller centroids in front, along the axis on which these spread most, and says how many they
+/// are: half of all.
 ///
-/// The order is total (centroid, then index), so equal centroids are no trouble. The range needs two items.
-pub(super) fn halve(items: &mut [Item], extents: &Extents) -> Cut {
-    let axis = extents.centroids.widest_axis();
+/// The order is total (centroid, then index), so equal centroids are no trouble.
+pub(super) fn halve(items: &mut [Record], centroids: &Planes) -> usize {
+    let extent = [0, 1, 2].map(|axis| -(centroids[axis] + centroids[axis + 4]));
+    let later_wins = |best: usize, axis: usize| if extent[axis] > extent[best] { axis } else { best };
+    let axis = later_wins(later_wins(0, 1), 2);
     let left = items.len() / 2;
     items.select_nth_unstable_by(left, |a, b| {
         let by_centroid = a.centroid()[axis].total_cmp(&b.centroid()[axis]);
-        by_centroid.then(a.prim().cmp(&b.prim()))
+        by_centroid.then(a.first().cmp(&b.first()))
     });
-    let (below, above) = items.split_at(left);
-    Cut { axis, left, extents: [Extents::of(below), Extents::of(above)] }
+    left
 }

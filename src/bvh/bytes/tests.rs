@@ -57,8 +57,8 @@ fn double(mesh: &Mesh) -> Mesh<DVec3> {
 fn come_back<V: Stored>(mesh: &Mesh<V>) {
     for builder in Builder::ALL {
         let spatial = SpatialOptions { extra_percent: 50, overlap: 0.0 };
-        for (reinsertion, degenerate) in [(0, Degenerate::Kept), (1, Degenerate::LeftOut)] {
-            let options = BuildOptions { builder, spatial, reinsertion, degenerate, ..BuildOptions::default() };
+        for degenerate in [Degenerate::Kept, Degenerate::LeftOut] {
+            let options = BuildOptions { builder, spatial, degenerate, ..BuildOptions::default() };
             let mut bvh = options.build(mesh).expect("a tree");
             for recorded in RECORDED {
                 bvh = bvh.with_links(recorded);

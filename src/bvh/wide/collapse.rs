@@ -1,15 +1,14 @@
-//! From a binary hierarchy to a wide one.
+//! From a tree with a node for each triangle to a wide one.
 
-use std::borrow::Cow;
-
-use super::draft::{Draft, leaf_address};
-use super::layout::{Child, assign};
+use super::draft::{Shapes, draft_of};
+use super::layout::assign;
 use super::programme::Programme;
-use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
+use super::{BLOCK_BITS, CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
+use crate::bvh::build::Draft;
 use crate::bvh::least::Least;
-use crate::bvh::{BuildError, BuildOptions, Bvh};
+use crate::bvh::{BuildError, BuildOptions, Bvh, SahOptions};
 use crate::geom::lanes::{Block, Precision};
-use crate::geom::{Aabb, EnvironmentError, Mesh, Triangle};
+use crate::geom::{Aabb, EnvironmentError, Mesh, Region, Triangle};
 use crate::threads;
 use crate::tree::Node;
 
@@ -55,17 +54,51 @@ pub enum WideError {
 }
 
 impl<V: Precision> WideBvh<8, V> {
-    /// A hierarchy of eight children over a mesh: by surface area with one triangle a leaf, then collapsed.
-    ///
-    /// It takes two to three times as long as [`Bvh::build`]. Two rounds of
-    /// [reinsertion](BuildOptions::reinsertion), as in `BuildOptions { reinsertion: 2, ..BuildOptions::fine() }`, make
-    /// rays a few per cent faster and building three times as long again: they pay where tens of millions of rays
-    /// are traced.
+    /// A hierarchy of eight children over a mesh, as [`BuildOptions::default`] has it.
     ///
     /// # Errors
     /// What [`WideError`] lists but for options.
     pub fn build(mesh: &Mesh<V>) -> Result<Self, WideError> {
-        Self::of(&BuildOptions::fine().build(mesh)?)
+        BuildOptions::default().build_wide(mesh)
+    }
+}
+
+impl BuildOptions {
+    /// A wide hierarchy over the triangles of a mesh. What [`sah`](Self::sah) says is for binary ones.
+    ///
+    /// ```
+    /// use stackless_bvh::bvh::{BuildOptions, Builder, WideBvh};
+    /// use stackless_bvh::generate::procedural;
+    ///
+    /// let options = BuildOptions { builder: Builder::Fast, ..BuildOptions::default() };
+    /// let wide: WideBvh = options.build_wide(&procedural::strands(1, 100))?;
+    /// # Ok::<(), stackless_bvh::bvh::WideError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What [`WideError`] lists but for [`LeafSize`](WideError::LeafSize) and [`Cost`](WideError::Cost).
+    pub fn build_wide<const A: usize, V: Precision>(&self, mesh: &Mesh<V>) -> Result<WideBvh<A, V>, WideError> {
+        self.build_wide_watched(mesh, &|_| ())
+    }
+
+    /// The same, with a callback that hears now and then, from any thread, how many triangles have found their leaf
+    /// since the call before; a call may say 0.
+    ///
+    /// # Errors
+    /// As [`build_wide`](Self::build_wide).
+    pub fn build_wide_watched<const A: usize, V: Precision>(
+        &self,
+        mesh: &Mesh<V>,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<WideBvh<A, V>, WideError> {
+        let SahOptions { max_leaf, depth_limit } = Self::fine().sah;
+        let options = Self { sah: SahOptions { max_leaf, depth_limit }, ..*self };
+        threads::guarded(|| {
+            let (draft, dropped) = options.draft(mesh, progress)?;
+            let region = Region::within(*mesh.frame(), &draft.aabb(0));
+            let made = collapse(mesh, &draft, &WideOptions::default())?;
+            Ok(made.finish(region, mesh.triangles().len(), dropped))
+        })?
     }
 }
 
@@ -88,7 +121,6 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// # Errors
     /// What [`WideError`] lists.
     pub fn with_options(bvh: &Bvh<Triangle<V>>, options: &WideOptions) -> Result<Self, WideError> {
-        const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
         let WideOptions { node_cost, block_cost, max_leaf } = *options;
         if !(1..=MAX_COUNT).contains(&max_leaf) {
             return Err(WideError::LeafSize(max_leaf));
@@ -98,17 +130,45 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
             return Err(WideError::Cost(cost));
         }
         threads::guarded(|| {
-            let draft = Draft::of(bvh, max_leaf);
-            let programme = Programme::of(&draft, options);
-            Collapse { bvh, draft: &draft, programme: &programme }.run()
+            let made = collapse(bvh, &draft_of(bvh), options)?;
+            let triangles = bvh.triangles().len() - bvh.duplicates() + bvh.dropped();
+            Ok(made.finish(*bvh.region(), triangles, bvh.dropped()))
         })?
     }
 }
 
-struct Collapse<'a, V: Precision, const A: usize> {
-    bvh: &'a Bvh<Triangle<V>>,
+/// The top first; then what is below it, some parts at a time on all threads, so that no second copy of all is held.
+fn collapse<const A: usize, V: Precision>(
+    shapes: &impl Shapes<V>,
+    draft: &Draft,
+    options: &WideOptions,
+) -> Result<Made<V, A>, WideError> {
+    const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
+    let programme = Programme::of(draft, options);
+    let collapse = Collapse { shapes, draft, programme: &programme };
+    let root = Pending { source: Source::Node(0), index: 0, level: 0 };
+    let (mut made, mut pending) = collapse.below(root, CUT);
+    name_ancestors(&mut made.nodes, 0, usize::MAX);
+    // Room for all at once: to grow would take a second copy. Only where parts are made anew the sizes are others.
+    let sizes = threads::map(0..pending.len(), 1, |i| collapse.size(&pending[i].source));
+    made.nodes.reserve_exact(sizes.iter().map(|size| size[0]).sum());
+    made.blocks.reserve_exact(sizes.iter().map(|size| size[1]).sum());
+    while !pending.is_empty() {
+        let rest = pending.split_off(pending.len().min(8 * threads::count()));
+        let parts =
+            threads::map(0..pending.len(), 1, |i| collapse.below(Pending { index: 0, ..pending[i].clone() }, 0).0);
+        for (Pending { index, .. }, part) in pending.into_iter().zip(parts) {
+            made.take(index, part)?;
+        }
+        pending = rest;
+    }
+    Ok(made)
+}
+
+struct Collapse<'a, H, const A: usize> {
+    shapes: &'a H,
     draft: &'a Draft,
-    programme: &'a Programme<A>,
+    programme: &'a Programme<'a, A>,
 }
 
 /// What an inner node is made of.
@@ -128,6 +188,13 @@ struct Pending {
     level: u32,
 }
 
+/// Children of a node, and their boxes.
+struct Children<const A: usize> {
+    sources: [Source; A],
+    boxes: [Aabb; A],
+    count: usize,
+}
+
 /// A part of the hierarchy, with places of its own. Its root is the first node.
 struct Made<V: Precision, const A: usize> {
     nodes: Vec<WideNode<A>>,
@@ -137,143 +204,148 @@ struct Made<V: Precision, const A: usize> {
     references: usize,
 }
 
-impl<V: Precision, const A: usize> Collapse<'_, V, A> {
-    /// The top first; then what is below it, on all threads.
-    fn run(self) -> Result<WideBvh<A, V>, WideError> {
-        let (mut made, pending) = self.below(Pending { source: Source::Node(0), index: 0, level: 0 }, CUT as u32);
-        let parts = threads::map(0..pending.len(), 1, |i| self.below(Pending { index: 0, ..pending[i].clone() }, 0).0);
-        for (Pending { index, .. }, part) in pending.into_iter().zip(parts) {
-            made.take(index, part)?;
-        }
-        let Made { mut nodes, blocks, levels, references } = made;
-        name_ancestors(&mut nodes);
-        let different = self.bvh.triangles().len() - self.bvh.duplicates();
-        let (triangles, duplicates) = (different + self.bvh.dropped(), references - different);
-        Ok(WideBvh {
-            nodes,
-            blocks,
-            region: *self.bvh.region(),
-            levels,
-            triangles,
-            duplicates,
-            least: Least::default(),
-        })
-    }
-
+impl<const A: usize, H> Collapse<'_, H, A> {
     /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.
-    fn below(&self, root: Pending, cut: u32) -> (Made<V, A>, Vec<Pending>) {
+    fn below<V: Precision>(&self, root: Pending, cut: u32) -> (Made<V, A>, Vec<Pending>)
+    where
+        H: Shapes<V>,
+    {
         let mut made = Made { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), levels: 0, references: 0 };
-        let (mut pending, mut left) = (vec![root], Vec::new());
-        let mut inner = Vec::new();
+        let (mut pending, mut left, mut held) = (vec![root], Vec::new(), Vec::new());
         while let Some(next) = pending.pop() {
             if self.count(&next.source) <= cut && next.index > 0 {
                 left.push(next);
                 continue;
             }
             let Pending { source, index, level } = next;
-            let children = self.children(source, level);
-            let boxes: Vec<_> = children.iter().map(|child| child.aabb).collect();
+            let Children { sources, boxes, count } = self.children(source, level);
             made.levels = made.levels.max(level);
-            for (slot, child) in assign::<A>(&boxes).into_iter().zip(children) {
-                made.nodes[index].set_child_box(slot, &child.aabb);
-                let address = match child.source {
-                    Source::Node(place) if self.is_leaf(place) => self.leaf(place, &mut made),
+            let start = pending.len();
+            for ((slot, source), aabb) in assign::<A>(&boxes[..count]).into_iter().zip(sources).zip(&boxes[..count]) {
+                made.nodes[index].set_child_box(slot, aabb);
+                let address = match source {
+                    Source::Node(place) if self.programme.is_leaf(place) => self.leaf(place, &mut held, &mut made),
                     source => {
                         let index = made.nodes.len();
                         made.nodes.push(WideNode::EMPTY);
-                        inner.push(Pending { source, index, level: level + 1 });
+                        pending.push(Pending { source, index, level: level + 1 });
                         Node::inner(index as u32)
                     }
                 };
                 made.nodes[index].children[slot as usize & (A - 1)] = address.to_bits();
             }
-            pending.extend(inner.drain(..).rev());
+            pending[start..].reverse();
         }
         (made, left)
     }
 
-    /// How many triangles it has; of several leaves at least how many.
+    /// Writes the triangles of a leaf.
+    fn leaf<V: Precision>(&self, place: u32, held: &mut Vec<u32>, made: &mut Made<V, A>) -> Node
+    where
+        H: Shapes<V>,
+    {
+        held.clear();
+        self.draft.leaves(place, |leaf| held.push(leaf.first()));
+        if self.draft.has_parts {
+            held.sort_by_key(|&leaf| self.shapes.prim(leaf));
+            held.dedup_by_key(|leaf| self.shapes.prim(*leaf));
+        }
+        let first = made.blocks.len();
+        made.references += held.len();
+        for leaves in held.chunks(4) {
+            let mut block = Block::EMPTY;
+            for (lane, &leaf) in leaves.iter().enumerate() {
+                block.set(lane, &self.shapes.triangle(leaf), self.shapes.prim(leaf));
+            }
+            made.blocks.push(block);
+        }
+        Node::leaf((held.len() as u32) << BLOCK_BITS | first as u32)
+    }
+
     fn count(&self, source: &Source) -> u32 {
         match source {
-            Source::Node(place) => self.draft.nodes[*place as usize].count,
+            Source::Node(place) => self.draft.node(*place).count(),
             Source::Leaves(leaves) => leaves.len() as u32,
         }
     }
 
-    fn is_leaf(&self, place: u32) -> bool {
-        self.programme.is_leaf(place)
-    }
-
-    /// The blocks of a leaf. Parts of one triangle may meet again in it.
-    fn leaf(&self, place: u32, made: &mut Made<V, A>) -> Node {
-        let node = &self.draft.nodes[place as usize];
-        let mut held = Cow::Borrowed(&self.bvh.triangles()[node.first as usize..(node.first + node.count) as usize]);
-        if self.bvh.duplicates() > 0 {
-            let held = held.to_mut();
-            held.sort_by_key(|held| held.prim);
-            held.dedup_by_key(|held| held.prim);
-        }
-        let first = made.blocks.len();
-        made.references += held.len();
-        for held in held.chunks(4) {
-            let mut block = Block::EMPTY;
-            for (lane, held) in held.iter().enumerate() {
-                block.set(lane, &held.shape, held.prim);
+    /// How many nodes are below one, and how many blocks, unless it is made anew.
+    fn size(&self, source: &Source) -> [usize; 2] {
+        let Source::Node(root) = *source else { return [0; 2] };
+        let (mut size, mut pending) = ([0; 2], vec![root]);
+        while let Some(place) = pending.pop() {
+            let (children, count) = self.programme.children(place);
+            for &child in &children[..count] {
+                if self.programme.is_leaf(child) {
+                    size[1] += self.draft.node(child).count().div_ceil(4) as usize;
+                } else {
+                    size[0] += 1;
+                    pending.push(child);
+                }
             }
-            made.blocks.push(block);
         }
-        leaf_address(first, held.len())
+        size
     }
 
     /// The children of an inner node at this level, from left to right.
     ///
     /// What is at this level can always be made anew within the limit: that holds for the root, for children of a node
     /// that is made anew, as they have an A-th of its leaves, and for others because it is asked here.
-    fn children(&self, source: Source, level: u32) -> Vec<Child<Source>> {
-        let left = WideBvh::<A, V>::MAX_LEVEL - level;
+    fn children(&self, source: Source, level: u32) -> Children<A> {
+        let mut made = Children { sources: [const { Source::Node(0) }; A], boxes: [Aabb::EMPTY; A], count: 0 };
+        let mut add = |aabb: Aabb, source: Source| {
+            (made.boxes[made.count % A], made.sources[made.count % A]) = (aabb, source);
+            made.count += 1;
+        };
         let leaves = match source {
             Source::Leaves(leaves) => leaves,
             Source::Node(place) => {
-                let node =
-                    |place: u32| Child { aabb: self.draft.nodes[place as usize].aabb, source: Source::Node(place) };
-                if self.is_leaf(place) {
-                    // Of the root only.
-                    return vec![node(place)];
+                let left = max_level::<A>() - level;
+                let (children, count) = self.programme.children(place);
+                let fits = |&child: &u32| {
+                    self.programme.is_leaf(child) || left > 0 && flattest::<A>(self.draft.node(child).count()) < left
+                };
+                if children[..count].iter().all(fits) {
+                    children[..count].iter().for_each(|&child| add(self.draft.aabb(child), Source::Node(child)));
+                    return made;
                 }
-                let children = self.programme.children(self.draft, place);
-                // The levels below and including this one are counted by the programme, but not above 2^16.
-                let fits = self.programme.levels(place) <= left + 1
-                    || left > 0 && children.iter().all(|&child| self.flattest(child) < left);
-                if fits {
-                    return children.into_iter().map(node).collect();
-                }
-                self.draft.leaves_below(place)
+                self.leaves_below(place)
             }
         };
-        let part = leaves.len().div_ceil(A).max(1);
-        let group = |leaves: &[u32]| {
-            let aabb = |&place: &u32| self.draft.nodes[place as usize].aabb;
-            let aabb = leaves.iter().map(aabb).fold(Aabb::EMPTY, Aabb::union);
-            let source = if let &[place] = leaves { Source::Node(place) } else { Source::Leaves(leaves.to_vec()) };
-            Child { aabb, source }
-        };
-        leaves.chunks(part).map(group).collect()
+        for group in leaves.chunks(leaves.len().div_ceil(A).max(1)) {
+            let aabb = group.iter().fold(Aabb::EMPTY, |all, &leaf| all.union(self.draft.aabb(leaf)));
+            add(aabb, if let &[leaf] = group { Source::Node(leaf) } else { Source::Leaves(group.to_vec()) });
+        }
+        made
     }
 
-    /// The level of the deepest inner node below this one if this is made anew, as flat as can be; bounded from above
-    /// by the number of triangles.
-    fn flattest(&self, place: u32) -> u32 {
-        let (mut held, mut levels) = (A as u64, 0);
-        while held < u64::from(self.draft.nodes[place as usize].count) {
-            held *= A as u64;
-            levels += 1;
+    /// The leaves of the draft below a node, from left to right.
+    fn leaves_below(&self, place: u32) -> Vec<u32> {
+        let (mut leaves, mut pending) = (Vec::new(), vec![place]);
+        while let Some(place) = pending.pop() {
+            let node = self.draft.node(place);
+            if node.is_leaf() { leaves.push(place) } else { pending.extend([node.first() + 1, node.first()]) }
         }
-        levels
+        leaves
     }
 }
 
+const fn max_level<const A: usize>() -> u32 {
+    WideBvh::<A>::MAX_LEVEL
+}
+
+/// The level of the deepest inner node below one that holds so many triangles, if it is as flat as can be.
+fn flattest<const A: usize>(count: u32) -> u32 {
+    let (mut held, mut levels) = (A as u64, 0);
+    while held < u64::from(count) {
+        held *= A as u64;
+        levels += 1;
+    }
+    levels
+}
+
 impl<V: Precision, const A: usize> Made<V, A> {
-    /// Takes a part over, with its root at this index.
+    /// Takes a part over, with its root at this index, where its ancestors are named.
     fn take(&mut self, index: usize, part: Self) -> Result<(), WideError> {
         let (nodes, blocks) = (self.nodes.len() + part.nodes.len() - 1, self.blocks.len() + part.blocks.len());
         if nodes > WideBvh::<A, V>::MAX_NODES {
@@ -283,7 +355,8 @@ impl<V: Precision, const A: usize> Made<V, A> {
             return Err(WideError::TooManyBlocks);
         }
         // The index of its second node, less one; the index of its first block.
-        let (by_nodes, by_blocks) = (self.nodes.len() as u32 - 1, self.blocks.len() as u32);
+        let (start, by_blocks) = (self.nodes.len(), self.blocks.len() as u32);
+        let by_nodes = start as u32 - 1;
         let moved = |mut node: WideNode<A>| {
             for bits in node.children.iter_mut().filter(|bits| **bits != 0) {
                 *bits += if Node::from_bits(*bits).is_leaf() { by_blocks } else { by_nodes };
@@ -291,11 +364,21 @@ impl<V: Precision, const A: usize> Made<V, A> {
             node
         };
         let mut nodes = part.nodes.into_iter().map(moved);
-        self.nodes[index] = nodes.next().unwrap_or(WideNode::EMPTY);
+        let root = nodes.next().unwrap_or(WideNode::EMPTY);
+        self.nodes[index] = WideNode { ancestors: self.nodes[index].ancestors, ..root };
         self.nodes.extend(nodes);
+        name_ancestors(&mut self.nodes, index, index + 1);
+        name_ancestors(&mut self.nodes, start, usize::MAX);
         self.blocks.extend(part.blocks);
         self.levels = self.levels.max(part.levels);
         self.references += part.references;
         Ok(())
+    }
+
+    /// Of a mesh of so many triangles, some of which are in no leaf.
+    fn finish(self, region: Region, triangles: usize, dropped: usize) -> WideBvh<A, V> {
+        let Self { nodes, blocks, levels, references } = self;
+        let duplicates = references - (triangles - dropped);
+        WideBvh { nodes, blocks, region, levels, triangles, duplicates, least: Least::default() }
     }
 }

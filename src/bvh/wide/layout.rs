@@ -4,34 +4,67 @@ use glam::Vec3;
 
 use crate::geom::Aabb;
 
-/// A child that is to be placed.
-pub(super) struct Child<T> {
-    pub(super) aabb: Aabb,
-    pub(super) source: T,
-}
-
 /// The slots of these children, at most `A`.
 ///
 /// Of eight, so that `slot ^ octant` is about the order along a ray in that octant, octants being of the signs of
 /// directions: each slot is a corner of the node, and children lie toward their slots. Ylitie et al. 2017, section 3.2,
 /// with the best pairs first in place of an auction. Of four, in the given order.
-pub(super) fn assign<const A: usize>(boxes: &[Aabb]) -> Vec<u32> {
-    let mut slots: Vec<u32> = (0..boxes.len() as u32).collect();
+pub(super) fn assign<const A: usize>(boxes: &[Aabb]) -> [u32; A] {
+    let mut slots = std::array::from_fn(|slot| slot as u32);
     if A != 8 {
         return slots;
     }
     let middle = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union).centroid();
-    let toward = |slot: u32| Vec3::from([0, 1, 2].map(|axis| if slot >> axis & 1 == 1 { 1.0 } else { -1.0 }));
-    let pair = |child: usize, slot: u32| ((boxes[child].centroid() - middle).dot(toward(slot)), child, slot);
-    let mut pairs: Vec<_> = (0..boxes.len()).flat_map(|child| (0..8).map(move |slot| pair(child, slot))).collect();
-    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let (mut placed, mut taken) = (0_u32, 0_u32);
-    for (_, child, slot) in pairs {
-        if placed >> child & 1 == 0 && taken >> slot & 1 == 0 {
-            slots[child] = slot;
-            placed |= 1 << child;
-            taken |= 1 << slot;
+    // Of each child that has no slot yet its best free one, which is that of its signs until another child has it.
+    let mut children = [Seeker { apart: Vec3::ZERO, slot: 0, score: f32::NEG_INFINITY }; A];
+    for (child, aabb) in children.iter_mut().zip(boxes) {
+        *child = Seeker::new(aabb.centroid() - middle);
+    }
+    let mut taken = 0;
+    for _ in boxes {
+        let best =
+            (1..A).fold(0, |best, other| if children[other].score > children[best].score { other } else { best });
+        let slot = children[best].slot;
+        slots[best] = slot;
+        taken |= 1 << slot;
+        children[best].score = f32::NEG_INFINITY;
+        for other in children.iter_mut().filter(|other| other.slot == slot && other.score > f32::NEG_INFINITY) {
+            other.seek(taken);
         }
     }
     slots
 }
+
+/// A child that is to be placed.
+#[derive(Clone, Copy)]
+struct Seeker {
+    /// From the middle of the node.
+    apart: Vec3,
+    slot: u32,
+    /// How far it lies toward the slot.
+    score: f32,
+}
+
+impl Seeker {
+    fn new(apart: Vec3) -> Self {
+        // A box without a middle is anywhere.
+        let apart = Vec3::select(apart.cmpeq(apart), apart, Vec3::ZERO).clamp(Vec3::MIN / 8.0, Vec3::MAX / 8.0);
+        let slot = apart.cmpgt(Vec3::ZERO).bitmask();
+        Self { apart, slot, score: apart.abs().element_sum() }
+    }
+
+    fn seek(&mut self, taken: u32) {
+        self.score = f32::NEG_INFINITY;
+        for slot in (0..8).filter(|slot| taken >> slot & 1 == 0) {
+            let toward =
+                [0, 1, 2].map(|axis: usize| if slot >> axis & 1 == 1 { self.apart[axis] } else { -self.apart[axis] });
+            let score = toward[0] + toward[1] + toward[2];
+            if score > self.score {
+                (self.slot, self.score) = (slot, score);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,16 +1,16 @@
 //! Hierarchies of four or eight children, for tests of many boxes at once.
 //!
-//! A [`WideBvh`] is made of a [`Bvh`](super::Bvh) by collapsing: a node takes over grandchildren and further
+//! A [`WideBvh`] is made of a tree of two children by collapsing: a node takes over grandchildren and further
 //! descendants until its slots are full. Which ones is decided by the dynamic programme of Ylitie, Karras & Laine 2017,
 //! "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", section 4. What a traversal needs of the
 //! tree: spec/wide.md.
 //!
 //! ```
-//! use stackless_bvh::bvh::{Bvh, WideBvh};
+//! use stackless_bvh::bvh::WideBvh;
 //! use stackless_bvh::generate::procedural;
 //!
 //! let mesh = procedural::strands(1, 100);
-//! let wide = WideBvh::<8>::of(&Bvh::build(&mesh)?)?;
+//! let wide = WideBvh::build(&mesh)?;
 //! wide.validate(&mesh)?;
 //! assert!(8 * wide.nodes().len() < mesh.triangles().len());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -73,8 +73,8 @@ const ANCESTOR_BITS: u32 = 24;
 /// Bits of a leaf's index that are the place of its first block. Above them is the number of its triangles.
 const BLOCK_BITS: u32 = 27;
 
-/// How much of a hierarchy a thread makes at once: nodes of the binary tree, or triangles. The result depends on it.
-const CUT: usize = 4096;
+/// How many triangles a thread takes at once. The order of nodes depends on it.
+const CUT: u32 = 4096;
 
 /// Greatest number of triangles in a leaf that 4 bits hold.
 const MAX_COUNT: u32 = 15;
@@ -292,10 +292,10 @@ pub(crate) fn leaf_places(leaf: Node) -> Range<usize> {
     4 * first..4 * first + count as usize
 }
 
-/// Writes what records say beside boxes and children. Of a child that does not come after its parent nothing is
+/// Writes what the records in a range say beside boxes and children. Of a child that does not come after its parent nothing is
 /// written.
-fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>]) {
-    for index in 0..nodes.len() {
+fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>], from: usize, to: usize) {
+    for index in from..to.min(nodes.len()) {
         for slot in 0..A as u32 {
             let node = &nodes[index];
             let (child, above) = (node.child(slot), node.ancestors);

@@ -1,135 +1,220 @@
 //! The dynamic programme: which descendants a node takes over.
 
-use super::draft::{Draft, DraftNode};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+use fearless_simd::{Level, Select, Simd, SimdBase, f32x8};
+
 use super::{CUT, WideOptions};
+use crate::bvh::build::{Draft, Record};
+use crate::geom::lanes::{levels, vectorize};
 use crate::threads;
 
-/// The cheapest forests below each node of a binary tree, by the number of their roots.
+/// The cheapest forests below each node of a tree, by the number of their roots.
 ///
 /// Ylitie, Karras & Laine 2017, section 4. Of a node and i from 1 to A, the forest of at most i roots that cost least:
 /// with one root, a leaf, or an inner node over the forest of at most A below the two children together; with more, one
 /// with fewer roots, or forests below the left child and the right one.
-pub(super) struct Programme<const A: usize> {
-    forests: Vec<Forests<A>>,
+pub(super) struct Programme<'a, const A: usize> {
+    pub(super) draft: &'a Draft,
+    options: WideOptions,
+    level: Level,
+    /// A [`Decision`] for each pair of children. Threads write their own ones.
+    decisions: Vec<AtomicU64>,
 }
 
-#[derive(Clone, Copy)]
-struct Forests<const A: usize> {
-    /// Of the forest of at most i + 1 roots.
-    cost: [f32; A],
-    /// Levels of inner nodes in it.
-    levels: [u16; A],
-    /// How many of its roots are below the left child. [`SAME`] where one with fewer roots is as cheap.
-    left: [u8; A],
-    /// How many of the roots of an inner node's forest are below the left child.
-    inner: u8,
-    is_leaf: bool,
-}
+/// Of a node's forests of at most 2 to A roots, how many roots are below the left child; 0 where one with fewer roots is
+/// as cheap. Last, those of the forest below an inner node; 0 where a leaf is cheaper.
+type Decision = [u8; 8];
 
-const SAME: u8 = 0;
+/// Of the forests of at most 1 to 8 roots.
+type Costs = [f32; 8];
 
-impl<const A: usize> Programme<A> {
-    pub(super) fn of(draft: &Draft, options: &WideOptions) -> Self {
-        let mut forests = vec![Forests::NONE; draft.nodes.len()];
-        // All descendants of a node are one range: the short ones are for all threads. Then comes what is above them.
-        let (mut above, mut short) = (vec![0], Vec::new());
-        let mut open = vec![(1, &mut forests[1..])];
-        while let Some((from, below)) = open.pop() {
-            if below.len() <= CUT {
-                short.push((from, below));
-                continue;
+/// Where a [`Decision`] says what is below an inner node.
+const INNER: usize = 7;
+
+impl<'a, const A: usize> Programme<'a, A> {
+    pub(super) fn of(draft: &'a Draft, options: &WideOptions) -> Self {
+        let decisions = (0..draft.nodes.len() / 2).map(|_| AtomicU64::new(0)).collect();
+        let programme = Self { draft, options: *options, level: levels()[0].1, decisions };
+        // The subtrees that are short are for all threads. Then comes what is above them.
+        let (mut above, mut short, mut pending) = (Vec::new(), Vec::new(), vec![0]);
+        while let Some(place) = pending.pop() {
+            let node = draft.node(place);
+            above.push(place);
+            if node.count() > CUT {
+                pending.extend([node.first() + 1, node.first()]);
+            } else {
+                short.push(place);
             }
-            above.extend([from, from + 1]);
-            let (_, below) = below.split_at_mut(2);
-            let middle = draft.nodes[from + 1].children.map_or(below.len(), |[left, _]| left as usize - from - 2);
-            let (of_left, of_right) = below.split_at_mut(middle);
-            open.extend([(from + 2, of_left), (from + 2 + middle, of_right)]);
         }
-        threads::update(&mut short, 1, |(from, below)| {
-            for place in (0..below.len()).rev() {
-                below[place] = Forests::of(&draft.nodes[*from + place], options, |child| &below[child - *from]);
+        let costs = threads::map_with(
+            0..short.len(),
+            1,
+            Memory::default,
+            |memory, i| vectorize!(programme.level, simd => programme.solve(simd, short[i], memory)),
+        );
+        let mut costs = costs.into_iter();
+        let mut memory = Memory { order: above, ..Memory::default() };
+        vectorize!(programme.level, simd => programme.fold(simd, &mut memory, |node| {
+            if node.count() > CUT { None } else { costs.next_back() }
+        }));
+        programme
+    }
+
+    #[inline(always)]
+    fn solve<S: Simd>(&self, simd: S, root: u32, memory: &mut Memory) -> Costs {
+        memory.order.clear();
+        memory.pending.push(root);
+        while let Some(place) = memory.pending.pop() {
+            memory.order.push(place);
+            let node = self.draft.node(place);
+            if node.count() > 2 {
+                memory.pending.extend([node.first() + 1, node.first()]);
             }
-        });
-        drop(short);
-        for place in above.into_iter().rev() {
-            forests[place] = Forests::of(&draft.nodes[place], options, |child| &forests[child]);
         }
-        Self { forests }
+        self.fold(simd, memory, |node| match node.count() {
+            1 => Some([node.half_area() * self.options.block_cost; 8]),
+            2 => Some(self.pair(node)),
+            _ => None,
+        })
+    }
+
+    /// The costs of the first node, of all nodes from parents to children, left ones first; `known` tells those of nodes
+    /// without children.
+    #[inline(always)]
+    fn fold<S: Simd>(&self, simd: S, memory: &mut Memory, mut known: impl FnMut(&Record) -> Option<Costs>) -> Costs {
+        memory.known.clear();
+        for &place in memory.order.iter().rev() {
+            let node = self.draft.node(place);
+            let costs = known(node).unwrap_or_else(
+                #[inline(always)]
+                || {
+                    // The left one comes last.
+                    let (left, right) = (memory.known.pop(), memory.known.pop());
+                    self.over(simd, node, &left.unwrap_or_default(), &right.unwrap_or_default())
+                },
+            );
+            memory.known.push(costs);
+        }
+        memory.known.pop().unwrap_or_default()
+    }
+
+    /// Over two triangles.
+    #[inline(always)]
+    fn pair(&self, node: &Record) -> Costs {
+        let [left, right] = self.draft.children(node).map(Record::half_area);
+        let WideOptions { node_cost, block_cost, max_leaf } = self.options;
+        let area = node.half_area();
+        let (as_leaf, apart) = (area * block_cost, (left + right) * block_cost);
+        let as_node = area * node_cost + apart;
+        let is_leaf = max_leaf >= 2 && as_leaf <= as_node;
+        let one = if is_leaf { as_leaf } else { as_node };
+        let is_apart = apart < one;
+        let mut costs = [if is_apart { apart } else { one }; 8];
+        costs[0] = one;
+        self.decide(node, [u8::from(is_apart), 0, 0, 0, 0, 0, 0, u8::from(!is_leaf)]);
+        costs
+    }
+
+    #[inline(always)]
+    fn over<S: Simd>(&self, simd: S, node: &Record, left: &Costs, right: &Costs) -> Costs {
+        let (best, lefts) = divided::<S, A>(simd, left, right);
+        let WideOptions { node_cost, block_cost, max_leaf } = self.options;
+        let (area, count) = (node.half_area(), node.count());
+        let as_node = best[A - 1] + area * node_cost;
+        let as_leaf = area * block_cost * count.div_ceil(4) as f32;
+        // What is huge may cost infinitely much as a node too.
+        let is_leaf = count <= max_leaf && as_leaf < f32::INFINITY && as_leaf <= as_node;
+        let mut costs = [if is_leaf { as_leaf } else { as_node }; 8];
+        let mut decision = [0; 8];
+        for roots in 1..A {
+            let is_less = best[roots] < costs[roots - 1];
+            costs[roots] = if is_less { best[roots] } else { costs[roots - 1] };
+            decision[roots - 1] = if is_less { lefts[roots] } else { 0 };
+        }
+        decision[INNER] = if is_leaf { 0 } else { lefts[A - 1] };
+        self.decide(node, decision);
+        costs
+    }
+
+    #[inline(always)]
+    fn decide(&self, node: &Record, decision: Decision) {
+        self.decisions[node.first() as usize / 2].store(u64::from_le_bytes(decision), Relaxed);
+    }
+
+    #[inline(always)]
+    fn decision(&self, node: &Record) -> Decision {
+        self.decisions[node.first() as usize / 2].load(Relaxed).to_le_bytes()
     }
 
     /// Whether this becomes a leaf, where it is a root.
+    #[inline(always)]
     pub(super) fn is_leaf(&self, place: u32) -> bool {
-        self.forests[place as usize].is_leaf
+        let node = self.draft.node(place);
+        node.is_leaf() || self.decision(node)[INNER] == 0
     }
 
-    /// How many levels of inner nodes there are from this one on, it included, where it is a root.
-    pub(super) fn levels(&self, place: u32) -> u32 {
-        self.forests[place as usize].levels[0].into()
-    }
-
-    /// The children of an inner node, from left to right.
-    pub(super) fn children(&self, draft: &Draft, place: u32) -> Vec<u32> {
-        let mut children = Vec::with_capacity(A);
-        let mut pending = Vec::with_capacity(A);
-        let divide = |pending: &mut Vec<(u32, usize)>, place: u32, left: u8, roots: usize| {
-            if let Some([l, r]) = draft.nodes[place as usize].children {
-                pending.extend([(r, roots - usize::from(left)), (l, usize::from(left))]);
-            }
-        };
-        divide(&mut pending, place, self.forests[place as usize].inner, A);
-        while let Some((place, mut roots)) = pending.pop() {
-            let forests = &self.forests[place as usize];
-            while roots > 1 && forests.left[roots - 1] == SAME {
-                roots -= 1;
-            }
-            if roots == 1 {
-                children.push(place);
-            } else {
-                divide(&mut pending, place, forests.left[roots - 1], roots);
-            }
+    /// The children of an inner node, from left to right, and how many they are.
+    #[inline(always)]
+    pub(super) fn children(&self, place: u32) -> ([u32; A], usize) {
+        let mut children = [place; A];
+        if self.is_leaf(place) {
+            // Of the root only.
+            return (children, 1);
         }
-        children
-    }
-}
-
-impl<const A: usize> Forests<A> {
-    const NONE: Self = Self { cost: [0.0; A], levels: [0; A], left: [SAME; A], inner: 1, is_leaf: true };
-
-    /// Those of a node, where those of its children are known.
-    fn of<'f>(node: &DraftNode, options: &WideOptions, known: impl Fn(usize) -> &'f Self) -> Self {
-        let area = node.aabb.half_area();
-        let as_leaf = area * options.block_cost * node.count.div_ceil(4) as f32;
-        let Some([left, right]) = node.children else { return Self { cost: [as_leaf; A], ..Self::NONE } };
-        let as_leaf = if node.count <= options.max_leaf { as_leaf } else { f32::INFINITY };
-        Self::over(known(left as usize), known(right as usize), as_leaf, area * options.node_cost)
-    }
-
-    fn over(left: &Self, right: &Self, as_leaf: f32, as_node: f32) -> Self {
-        let mut made = Self { is_leaf: false, ..Self::NONE };
-        // Of at most i + 1 roots below both children, at least one below each.
-        let divided = |roots: usize| {
-            let mut best = (f32::INFINITY, 1);
-            for k in 1..roots {
-                let cost = left.cost[k - 1] + right.cost[roots - k - 1];
-                if cost < best.0 {
-                    best = (cost, k);
+        let node = self.draft.node(place);
+        let (first, left) = (node.first(), self.decision(node)[INNER]);
+        // Nodes, and how many roots are below each at most.
+        let mut pending = [(0, 0_u8); A];
+        (pending[0], pending[1]) = ((first + 1, A as u8 - left), (first, left));
+        let (mut open, mut made) = (2, 0);
+        while open > 0 {
+            open -= 1;
+            let (place, mut roots) = pending[open % A];
+            let node = self.draft.node(place);
+            if roots > 1 && !node.is_leaf() {
+                let decision = self.decision(node);
+                while roots > 1 && decision[roots as usize - 2] == 0 {
+                    roots -= 1;
+                }
+                if roots > 1 {
+                    let left = decision[roots as usize - 2];
+                    pending[open % A] = (node.first() + 1, roots - left);
+                    pending[(open + 1) % A] = (node.first(), left);
+                    open += 2;
+                    continue;
                 }
             }
-            let (cost, k) = best;
-            (cost, k as u8, left.levels[k - 1].max(right.levels[roots - k - 1]))
-        };
-        let (below, inner, levels) = divided(A);
-        made.inner = inner;
-        // What is too large for a leaf costs infinitely much as one; what is huge may do so as a node too.
-        made.is_leaf = as_leaf < f32::INFINITY && as_leaf <= below + as_node;
-        made.cost[0] = if made.is_leaf { as_leaf } else { below + as_node };
-        made.levels[0] = if made.is_leaf { 0 } else { levels.saturating_add(1) };
-        for roots in 2..=A {
-            let (cost, k, levels) = divided(roots);
-            let fewer = roots - 2;
-            (made.cost[roots - 1], made.left[roots - 1], made.levels[roots - 1]) =
-                if cost < made.cost[fewer] { (cost, k, levels) } else { (made.cost[fewer], SAME, made.levels[fewer]) };
+            children[made % A] = place;
+            made += 1;
         }
-        made
+        (children, made)
     }
 }
+
+/// What a thread keeps from one subtree to the next.
+#[derive(Default)]
+struct Memory {
+    order: Vec<u32>,
+    pending: Vec<u32>,
+    known: Vec<Costs>,
+}
+
+/// Of at most i + 1 roots, at least one on each side: the least cost, and how many are on the left.
+#[inline(always)]
+fn divided<S: Simd, const A: usize>(simd: S, left: &Costs, right: &Costs) -> (Costs, Decision) {
+    let mut padded = [f32::INFINITY; 16];
+    padded[8..].copy_from_slice(right);
+    let mut best = f32x8::splat(simd, f32::INFINITY);
+    let mut lefts = f32x8::splat(simd, 1.0);
+    for k in 1..A {
+        let cost = f32x8::from_slice(simd, &padded[8 - k..16 - k]) + left[k - 1];
+        let is_less = cost.simd_lt(best);
+        best = is_less.select(cost, best);
+        lefts = is_less.select(f32x8::splat(simd, k as f32), lefts);
+    }
+    (best.to_array(), lefts.to_array().map(|k| k as u8))
+}
+
+#[cfg(test)]
+mod tests;

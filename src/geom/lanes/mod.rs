@@ -107,6 +107,40 @@ macro_rules! with_baseline {
 }
 pub(crate) use with_baseline;
 
+/// Does something with the instructions of a level, in a function of its own. All that it calls is inlined always, or it
+/// would not be compiled for the level.
+macro_rules! vectorize {
+    ($level:expr, $simd:ident => $run:expr) => {{
+        // Two levels of x86: what SSE4.2 and AVX-512 add is no use here, and each level costs every build of the
+        // library its time.
+        #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+        match ($level.as_avx2(), $level.as_sse2().or_else(|| $crate::geom::lanes::Level::new().as_sse2())) {
+            (Some($simd), _) => $simd.vectorize(
+                #[inline(always)]
+                || $run,
+            ),
+            (None, Some($simd)) => $crate::geom::lanes::apart(
+                #[inline(always)]
+                || $run,
+            ),
+            (None, None) => unreachable!("the target has SSE2"),
+        }
+        #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
+        {
+            fearless_simd::dispatch!($level, $simd => $run)
+        }
+    }};
+}
+pub(crate) use vectorize;
+
+/// Runs it in a function of its own. The baseline's instructions are those of the caller too, so without this the caller
+/// would hold all traversals, and save and restore their registers for each ray.
+#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
+#[inline(never)]
+pub(crate) fn apart<R>(run: impl FnOnce() -> R) -> R {
+    run()
+}
+
 /// A vector of `A` floats: `f32x4` or `f32x8`.
 pub trait Lanes<S: Simd, const A: usize>: SimdFloat<S, Element = f32, Array = [f32; A]> {}
 

@@ -76,7 +76,7 @@ impl Choice {
 
     /// How its tree is built.
     pub fn options(&self) -> BuildOptions {
-        if self.is_wide() { BuildOptions::fine() } else { BuildOptions::default() }
+        BuildOptions::default()
     }
 
     /// Why it is this one, a sentence each.
@@ -104,7 +104,7 @@ mod tests {
         let mesh = procedural::soup(1, 200);
         let (wide, tracer) = (Choice::for_needs(&[]), Tracer::of(&mesh).expect("a tree"));
         assert_eq!((wide.tracer(), wide.method()), ("Tracer", tracer.method().name()));
-        let built = WideBvh::<8>::of(&wide.options().build(&mesh).expect("a tree")).expect("a wide tree");
+        let built: WideBvh = wide.options().build_wide(&mesh).expect("a wide tree");
         assert_eq!(built.to_bytes(), tracer.bvh().to_bytes());
         assert!(!Method::default().needs_hash() && wide.reasons() == WIDE);
         for need in Need::ALL {

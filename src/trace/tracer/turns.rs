@@ -8,7 +8,7 @@ use super::search::{HitOf, WideSearch};
 use super::shared;
 use crate::bvh::WideBvh;
 use crate::geom::Ray;
-use crate::geom::lanes::{Hits as _, Level, Precision};
+use crate::geom::lanes::{Hits as _, Level, Precision, vectorize};
 use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unfit, advance, traverse};
 
 /// What is asked of each ray.
@@ -102,39 +102,6 @@ pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R)
 thread_local! {
     /// Memory of two cursors: to allocate or to clear it for each ray would cost a call a tenth of its time.
     static MEMORY: Cell<Option<Box<[Scratch; 2]>>> = const { Cell::new(None) };
-}
-
-/// The loop is compiled once for each traversal and level of instructions, in a function of its own. All that it calls
-/// is inlined always, or it would not be compiled for the level.
-macro_rules! vectorize {
-    ($level:expr, $simd:ident => $run:expr) => {{
-        // Two levels of x86: what SSE4.2 and AVX-512 add is no use here, and each level costs every build of the
-        // library its time.
-        #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
-        match ($level.as_avx2(), $level.as_sse2().or_else(|| Level::new().as_sse2())) {
-            (Some($simd), _) => $simd.vectorize(
-                #[inline(always)]
-                || $run,
-            ),
-            (None, Some($simd)) => apart(
-                #[inline(always)]
-                || $run,
-            ),
-            (None, None) => unreachable!("the target has SSE2"),
-        }
-        #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
-        {
-            fearless_simd::dispatch!($level, $simd => $run)
-        }
-    }};
-}
-
-/// Runs it in a function of its own. The baseline's instructions are those of the caller too, so without this the caller
-/// would hold all traversals, and save and restore their registers for each ray.
-#[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
-#[inline(never)]
-fn apart<R>(run: impl FnOnce() -> R) -> R {
-    run()
 }
 
 /// A ray that is alone.

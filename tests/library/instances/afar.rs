@@ -36,7 +36,7 @@ fn few_triangles_are_tested_from_afar<V: Kind>(most: i32, step: usize) {
     for maps in [vec![half], vec![turn], vec![turn, half, turn]] {
         let shapes = placed(sphere.clone(), &maps);
         let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{maps:?}"), shapes });
-        let tracers = [hierarchies(&scene, Builder::Sah, 1), wide(&scene, Builder::Sah, 1)].map(|built| {
+        let tracers = [hierarchies(&scene, Builder::Standard, 1), wide(&scene, Builder::Standard, 1)].map(|built| {
             let (assembly, object) = assembly(&built, &scene);
             InstanceTracer::new(&assembly, object, Method::default()).expect("any tree")
         });

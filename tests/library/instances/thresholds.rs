@@ -37,7 +37,7 @@ fn closest<V: Kind>(
 ) -> Option<[f64; 2]> {
     let shapes = shapes::<V>(corners, maps);
     let scene = Scene { name: "thresholds".into(), shapes };
-    let (assembly, object) = assembly(&hierarchies(&scene, Builder::Sah, 1), &scene);
+    let (assembly, object) = assembly(&hierarchies(&scene, Builder::Standard, 1), &scene);
     let tracer = InstanceTracer::new(&assembly, object, Method::default()).expect("any tree");
     let [o, d] = [origin, direction].map(|v| narrow::<V>(DVec3::from(v)));
     let ray = Ray::within(o, d, V::Real::rounded(tmin), V::Real::INFINITY).expect("a ray");
@@ -119,7 +119,9 @@ fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32, rounds: us
         }
         let shapes = shapes::<V>(corners.map(|corner| corner.widen().to_array()), &maps);
         let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{round}"), shapes });
-        let Ok((assembly, objects)) = hierarchies(&scene, Builder::Sah, 1).assembly(&scene.shapes) else { continue };
+        let Ok((assembly, objects)) = hierarchies(&scene, Builder::Standard, 1).assembly(&scene.shapes) else {
+            continue;
+        };
         let tracer = InstanceTracer::new(&assembly, objects[levels], Method::default()).expect("any tree");
         let Some([a, b, c]) = flat.corners().next().copied().map(|corners| corners.map(Vector::widen)) else {
             continue;

@@ -33,7 +33,7 @@ fn meshes() -> [Mesh; 2] {
 
 fn options(builder: Builder) -> BuildOptions {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
-    BuildOptions { builder, spatial, reinsertion: u32::from(builder == Builder::Linear), ..BuildOptions::fine() }
+    BuildOptions { builder, spatial, ..BuildOptions::fine() }
 }
 
 /// The face that was beside the point was left out.

@@ -3,13 +3,13 @@
 use clap::builder::{PossibleValue, TypedValueParser};
 use cpu_time::ProcessTime;
 use glam::{DVec3, Vec3};
-use stackless_bvh::bvh::{BuildOptions, WideBvh};
+use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Accuracy, Tracer};
 
 use super::Contestant;
 use super::wide::Manner;
-use crate::build::Build;
+use crate::build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Query};
 
@@ -45,7 +45,7 @@ pub(super) fn place() -> impl TypedValueParser<Value = Place> {
 /// The default traversal in double precision, in these places.
 pub(super) fn build(
     scene: &Scene,
-    build: Build,
+    build: Builder,
     places: &[Place],
     manner: Manner,
 ) -> Result<Vec<Box<dyn Contestant>>, Box<dyn std::error::Error>> {
@@ -59,7 +59,7 @@ pub(super) fn build(
         let vertices = scene.mesh.vertices().iter().map(|&v| space.point(v)).collect();
         let mesh = Mesh::new(vertices, scene.mesh.triangles().to_vec())?;
         let start = ProcessTime::now();
-        let bvh = WideBvh::of(&build.of(BuildOptions::fine()).build(&mesh)?)?;
+        let bvh = build::options(build).build_wide(&mesh)?;
         let build_seconds = start.elapsed().as_secs_f64();
         let tracer = Tracer::new(bvh).with_level(manner.level);
         built.push(Box::new(Double { space, tracer, build_seconds, rays: Vec::new(), manner }));
@@ -103,7 +103,7 @@ impl Contestant for Double {
         self.space.place.name
     }
 
-    fn build(&self) -> Option<Build> {
+    fn build(&self) -> Option<Builder> {
         None
     }
 

@@ -2,20 +2,20 @@
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use stackless_bvh::bvh::{BuildError, Bvh};
+use stackless_bvh::bvh::{BuildError, Builder, Bvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Forms, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::tree::{Recorded, Topology};
 
 use super::Contestant;
-use crate::build::Build;
+use crate::build;
 use crate::input::Scene;
 use crate::judge::{Answer, Query};
 
 /// The tree over a mesh.
 pub(super) struct Trees {
-    build: Build,
+    build: Builder,
     /// With uncles in its records.
     uncles: Forms,
     /// With parents and siblings.
@@ -24,9 +24,9 @@ pub(super) struct Trees {
 }
 
 impl Trees {
-    pub(super) fn build(scene: &Scene, build: Build) -> Result<Self, BuildError> {
+    pub(super) fn build(scene: &Scene, build: Builder) -> Result<Self, BuildError> {
         let start = ProcessTime::now();
-        let bvh = build.run(scene)?;
+        let bvh = build::binary(build, scene)?;
         let build_seconds = start.elapsed().as_secs_f64();
         let uncles = Forms::new(bvh.clone().with_links(Recorded::Uncles));
         Ok(Self { build, uncles, parents: Forms::new(bvh), build_seconds })
@@ -71,7 +71,7 @@ impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant 
         self.make.method.name()
     }
 
-    fn build(&self) -> Option<Build> {
+    fn build(&self) -> Option<Builder> {
         Some(self.make.trees.build)
     }
 

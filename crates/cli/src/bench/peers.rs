@@ -1,12 +1,12 @@
 //! Ray tracers by others.
 
 use cpu_time::ProcessTime;
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::Accuracy;
 use stackless_peers as peers;
 
 use super::Contestant;
-use crate::build::Build;
 use crate::judge::{Answer, Query};
 
 /// Builds all peers that are there; a note says why one is not.
@@ -46,7 +46,7 @@ impl Contestant for Foreign {
         self.peer.name()
     }
 
-    fn build(&self) -> Option<Build> {
+    fn build(&self) -> Option<Builder> {
         None
     }
 

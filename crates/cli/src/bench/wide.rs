@@ -4,20 +4,20 @@ use std::borrow::Borrow;
 use std::hint::black_box;
 
 use cpu_time::ProcessTime;
-use stackless_bvh::bvh::WideBvh;
+use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::{Level, Precision};
 use stackless_bvh::trace::{Accuracy, Hit, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
 use super::Contestant;
-use crate::build::Build;
+use crate::build;
 use crate::input::Scene;
 use crate::judge::{Answer, Query};
 
 /// A wide hierarchy over a mesh.
 pub(super) struct WideTree {
-    build: Build,
+    build: Builder,
     bvh: WideBvh,
     build_seconds: f64,
 }
@@ -71,9 +71,9 @@ impl Manner {
 }
 
 impl WideTree {
-    pub(super) fn build(scene: &Scene, build: Build) -> Result<Self, Box<dyn std::error::Error>> {
+    pub(super) fn build(scene: &Scene, build: Builder) -> Result<Self, Box<dyn std::error::Error>> {
         let start = ProcessTime::now();
-        let bvh = build.run_wide(scene)?;
+        let bvh = build::wide(build, scene)?;
         Ok(Self { build, bvh, build_seconds: start.elapsed().as_secs_f64() })
     }
 
@@ -98,7 +98,7 @@ impl Contestant for Runner<'_> {
         self.tracer.method().name()
     }
 
-    fn build(&self) -> Option<Build> {
+    fn build(&self) -> Option<Builder> {
         Some(self.tree.build)
     }
 

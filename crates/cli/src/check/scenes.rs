@@ -15,7 +15,7 @@ use stackless_check::{Plan, SceneDisagreement, SceneTree, Shard, check_scene};
 use stackless_scene::Position;
 
 use super::{SceneFault, Total};
-use crate::build::Build;
+use crate::build;
 use crate::input::{self, MADE, Scene};
 use crate::output::{bar, warn};
 use crate::record::{Run, fingerprint, in_blocks};
@@ -177,8 +177,8 @@ where
 {
     let Some(&(first, _)) = rays.first() else { return Ok(()) };
     let rays: Vec<_> = rays.iter().map(|&(_, ray)| ray).collect();
-    for build in Build::CHECKED {
-        let bvh = build.run(scene)?;
+    for build in build::CHECKED {
+        let bvh = build::binary(build, scene)?;
         let progress = bar(rays.len() as u64, &scene.name);
         let tree = SceneTree::new(truth, &bvh);
         let (tally, found) = check_scene::<K, B, V>(plan, &tree, &rays, &|done| progress.inc(done));

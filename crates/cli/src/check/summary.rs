@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Battery, Disagreement, Plan, Replay, SceneDisagreement, Tally, Verdict, shrink};
 use stackless_scene::Position;
 
 use super::Total;
-use crate::build::Build;
 use crate::input::Scene;
 use crate::output::{count, detail, grouped, say, table};
 use crate::record::{Counts, Numbered, Run, claim};
@@ -220,7 +220,12 @@ impl Smallest {
 }
 
 impl SceneFault {
-    pub(super) fn new<V: Position>(index: usize, scene: &Scene<V>, tree: Build, fault: &SceneDisagreement<V>) -> Self {
+    pub(super) fn new<V: Position>(
+        index: usize,
+        scene: &Scene<V>,
+        tree: Builder,
+        fault: &SceneDisagreement<V>,
+    ) -> Self {
         let SceneDisagreement { number, ray, any, method, expected, found } = fault;
         let who = method.map_or_else(|| "the oracle".to_owned(), |(method, word)| format!("{method} {word}"));
         let query = if *any { "any hit" } else { "closest hit" };

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::traverse::Method;
 
 use crate::Outcome;
-use crate::build::Build;
 use crate::camera;
 use crate::input::Scene;
 use crate::places::{self, Output};
@@ -29,7 +29,7 @@ pub(crate) struct Args {
     spp: Option<u32>,
     /// How the hierarchy is built.
     #[arg(long)]
-    build: Option<Build>,
+    build: Option<Builder>,
     /// Seed of what is random.
     #[arg(long, default_value_t = 1)]
     seed: u64,

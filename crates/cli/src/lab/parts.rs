@@ -8,9 +8,10 @@ use std::path::PathBuf;
 use std::slice::from_ref;
 
 use serde_json::json;
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::trace;
 
-use crate::build::{Build, BuildName};
+use crate::build;
 use crate::input::Scene;
 use crate::output::say;
 use crate::places::{self, Output};
@@ -27,9 +28,9 @@ use crate::{Outcome, camera};
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// How the hierarchy is built; with `+N` behind a name, N rounds of reinsertion follow.
-    #[arg(long, default_value_t, value_parser = BuildName)]
-    build: Build,
+    /// How the hierarchy is built.
+    #[arg(long, default_value_t, value_parser = build::builder())]
+    build: Builder,
     /// Number of camera rays.
     #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
@@ -45,7 +46,7 @@ pub(crate) struct Args {
 
 pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
-    let bvh = args.build.run(&scene)?;
+    let bvh = build::binary(args.build, &scene)?;
     let primary = args.place.of(&scene).rays(args.count as usize);
     let time = time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, args.seed))?;
     let plan = plan::measure(&scene.mesh, &bvh, &primary)?;

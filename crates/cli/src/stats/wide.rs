@@ -1,20 +1,21 @@
 //! The hierarchy of eight children, which `trace` and `render` use.
 
 use serde::Serialize;
-use stackless_bvh::bvh::WideBvh;
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::lanes::Block;
 use stackless_bvh::trace::{Choice, Need, Tracer, WideCounters};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Topology};
 
 use super::timed;
-use crate::build::Build;
+use crate::build;
 use crate::input::Scene;
 use crate::output::{Table, grouped, table};
 
 #[derive(Serialize)]
 pub(super) struct WideStats {
-    /// How the binary hierarchy was built that it is made of.
+    /// How it was built.
     build: String,
     nodes: usize,
     /// Children of an inner node, mean.
@@ -25,10 +26,8 @@ pub(super) struct WideStats {
     levels: u32,
     bytes: usize,
     bytes_per_triangle: f64,
-    /// Of the binary hierarchy, on all threads.
+    /// On all threads.
     build_seconds: f64,
-    /// From the binary hierarchy to this one, on all threads.
-    collapse_seconds: f64,
     traversals: Vec<Row>,
     choice: ChoiceStats,
 }
@@ -41,16 +40,6 @@ struct ChoiceStats {
     reasons: Vec<&'static str>,
     /// Name, tracer and reason.
     otherwise: Vec<[&'static str; 3]>,
-    reinsertion: Reinsertion,
-}
-
-/// What rounds of reinsertion buy the default traversal, and cost: ratios to none.
-#[derive(Serialize)]
-struct Reinsertion {
-    build: String,
-    build_time: f64,
-    nodes: f64,
-    triangles: f64,
 }
 
 #[derive(Serialize)]
@@ -69,10 +58,8 @@ struct Row {
 /// With the closest hits of these rays.
 pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
     let choice = Choice::for_needs(&[]);
-    let build = Build::default();
-    let (fine, build_seconds) = timed(|| build.run_fine(scene));
-    let fine = fine?;
-    let (wide, collapse_seconds) = timed(|| WideBvh::<8>::of(&fine));
+    let build = Builder::default();
+    let (wide, build_seconds) = timed(|| build::wide(build, scene));
     let wide = wide?;
     let mut traversals = Vec::new();
     for method in Method::ALL {
@@ -90,11 +77,11 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
             triangles_per_ray: per_ray(triangles),
         });
     }
-    let reinsertion = reinsertion(scene, rays, &wide, build_seconds + collapse_seconds)?;
     let nodes = wide.nodes();
     let children: u32 = (0..nodes.len()).map(|node| wide.children(Node::inner(node as u32)).count_ones()).sum();
     let leaves: u32 = nodes.iter().map(|node| node.leaves().count_ones()).sum();
-    let references = fine.triangles().len() as f64;
+    let references =
+        wide.blocks().iter().flat_map(|block| block.prims).filter(|&prim| prim != Block::NONE).count() as f64;
     Ok(WideStats {
         build: build.to_string(),
         nodes: nodes.len(),
@@ -104,41 +91,20 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
         bytes: wide.bytes(),
         bytes_per_triangle: wide.bytes() as f64 / scene.mesh.triangles().len() as f64,
         build_seconds,
-        collapse_seconds,
         traversals,
         choice: ChoiceStats {
             tracer: choice.tracer(),
             method: choice.method(),
             reasons: choice.reasons(),
             otherwise: Need::ALL.map(|need| [need.name(), Choice::for_needs(&[need]).tracer(), need.reason()]).into(),
-            reinsertion,
         },
-    })
-}
-
-/// Two rounds, beside a tree without.
-fn reinsertion(
-    scene: &Scene,
-    rays: &[Ray],
-    plain: &WideBvh,
-    plain_seconds: f64,
-) -> Result<Reinsertion, Box<dyn std::error::Error>> {
-    let build: Build = "sah+2".parse()?;
-    let (moved, seconds) = timed(|| build.run_wide(scene));
-    let [plain, moved] = [plain, &moved?].map(|bvh| Tracer::new(bvh).count_closest(rays));
-    let ratio = |of: fn(&WideCounters) -> u64| of(&moved) as f64 / of(&plain).max(1) as f64;
-    Ok(Reinsertion {
-        build: build.to_string(),
-        build_time: seconds / plain_seconds,
-        nodes: ratio(|counters| counters.nodes),
-        triangles: ratio(|counters| counters.triangles),
     })
 }
 
 impl WideStats {
     pub(super) fn line(&self) -> String {
         format!(
-            "eight children: {} inner nodes of {:.1}, leaves of {:.1} triangles, {} levels, {} bytes ({:.1} a triangle); {} in {:.1} ms, made wide in {:.1} ms",
+            "eight children: {} inner nodes of {:.1}, leaves of {:.1} triangles, {} levels, {} bytes ({:.1} a triangle); {} in {:.1} ms",
             grouped(self.nodes as u64),
             self.children,
             self.leaf_triangles,
@@ -146,23 +112,14 @@ impl WideStats {
             grouped(self.bytes as u64),
             self.bytes_per_triangle,
             self.build,
-            self.build_seconds * 1e3,
-            self.collapse_seconds * 1e3
+            self.build_seconds * 1e3
         )
     }
 
     /// Which tracer serves, and why.
     pub(super) fn choice(&self) -> String {
-        let ChoiceStats { tracer, method, reasons, reinsertion, .. } = &self.choice;
-        format!(
-            "default: {tracer} by {method} over {}. {} {} would take {:.1} times as long to build, and test {:.2} of the nodes and {:.2} of the triangles.",
-            self.build,
-            reasons.join(" "),
-            reinsertion.build,
-            reinsertion.build_time,
-            reinsertion.nodes,
-            reinsertion.triangles
-        )
+        let ChoiceStats { tracer, method, reasons, .. } = &self.choice;
+        format!("default: {tracer} by {method} over {}. {}", self.build, reasons.join(" "))
     }
 
     /// Where another tracer serves.

@@ -81,7 +81,7 @@ fn an_interrupted_command_leaves_no_half_file() {
 fn names_are_offered() {
     for (args, meant) in [
         ("trace soup --rays a -o b --method hashd", "'hashed'"),
-        ("stats soup --biuld sah", "'--build'"),
+        ("stats soup --biuld fast", "'--build'"),
         ("chekc", "'check'"),
         ("bench soup --accuracy exakt", "'exact'"),
         ("suite list --level trac", "'trace'"),

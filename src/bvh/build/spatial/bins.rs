@@ -2,10 +2,14 @@
 
 use glam::Vec3A;
 
-use super::super::item::{Extents, Item, Spread};
+use super::super::Primitives;
+use super::super::record::Record;
 use super::super::sah::NODE_COST;
-use super::super::{Primitives, SahOptions};
+use super::extents::{Extents, Spread};
 use super::split::{Scale, Side, Split};
+
+/// Bins on each axis.
+const BINS: usize = 32;
 
 /// Room for the bins of one axis, and the sums from the right.
 pub(super) struct Bins {
@@ -33,17 +37,17 @@ impl Bin {
 }
 
 impl Bins {
-    pub(super) fn new(bins: usize) -> Self {
-        Self { bins: vec![Bin::EMPTY; bins], right: vec![Side::EMPTY; bins] }
+    pub(super) fn new() -> Self {
+        Self { bins: vec![Bin::EMPTY; BINS], right: vec![Side::EMPTY; BINS] }
     }
 
     /// The cheapest cut between items, by their centroids.
-    pub(super) fn between(&mut self, items: &[Item], extents: &Extents) -> Option<Split> {
+    pub(super) fn between(&mut self, items: &[Record], extents: &Extents) -> Option<Split> {
         self.cheapest(items.len(), 0, &extents.boxes, |bins, axis| {
             let scale = Scale::new(&extents.centroids, axis, bins.len())?;
             for item in items {
                 let bin = &mut bins[scale.bin(item.centroid()[axis])];
-                bin.spread = bin.spread.union(item.spread());
+                bin.spread = bin.spread.union(Spread::of(item));
                 bin.begin += 1;
                 bin.end += 1;
             }
@@ -55,16 +59,16 @@ impl Bins {
     pub(super) fn across<P: Primitives + ?Sized>(
         &mut self,
         primitives: &P,
-        items: &[Item],
+        items: &[Record],
         spare: usize,
         spread: &Spread,
     ) -> Option<Split> {
-        let mut slices = [Spread::EMPTY; SahOptions::MAX_BINS as usize];
+        let mut slices = [Spread::EMPTY; BINS];
         self.cheapest(items.len(), spare, spread, |bins, axis| {
             let scale = Scale::new(spread, axis, bins.len())?;
             let ends = |whole: &Spread| [whole.lo, whole.hi].map(|plane| scale.bin(plane[axis]));
             for item in items {
-                let [begin, end] = ends(&item.spread());
+                let [begin, end] = ends(&Spread::of(item));
                 bins[begin].begin += 1;
                 bins[end].end += 1;
             }
@@ -73,14 +77,14 @@ impl Bins {
                 return None;
             }
             for item in items {
-                let whole = item.spread();
+                let whole = Spread::of(item);
                 let [begin, end] = ends(&whole);
                 if begin == end {
                     bins[begin].spread = bins[begin].spread.union(whole);
                     continue;
                 }
                 let crossed = &mut bins[begin..=end];
-                let prim = item.prim() as usize;
+                let prim = item.first() as usize;
                 if let Some(corners) = primitives.corners(prim) {
                     let slices = &mut slices[..crossed.len()];
                     slice(slices, corners.map(Vec3A::from), begin, &scale, axis);

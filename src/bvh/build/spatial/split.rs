@@ -1,7 +1,8 @@
 //! A cut of a range, and what comes to which side.
 
 use super::super::Primitives;
-use super::super::item::{Item, Spread};
+use super::super::record::Record;
+use super::extents::Spread;
 
 /// A border between bins.
 #[derive(Clone, Copy)]
@@ -29,7 +30,7 @@ impl Split {
     }
 
     /// Moves the items with centroids left of the border to the front.
-    pub(super) fn part(&self, items: &mut [Item]) -> [usize; 2] {
+    pub(super) fn part(&self, items: &mut [Record]) -> [usize; 2] {
         let mut left = 0;
         for i in 0..items.len() {
             if self.scale.bin(items[i].centroid()[self.axis]) < self.border {
@@ -44,14 +45,14 @@ impl Split {
     pub(super) fn cut<P: Primitives + ?Sized>(
         &self,
         primitives: &P,
-        items: &[Item],
+        items: &[Record],
         mut spare: usize,
-    ) -> Option<[Vec<Item>; 2]> {
+    ) -> Option<[Vec<Record>; 2]> {
         let (axis, plane) = (self.axis, self.scale.border(self.border));
         let (mut lists, mut sides) = ([Vec::new(), Vec::new()], [Side::EMPTY; 2]);
         let mut cut = Vec::new();
         for item in items {
-            let Spread { lo, hi } = item.spread();
+            let Spread { lo, hi } = Spread::of(item);
             let side = if hi[axis] <= plane {
                 0
             } else if plane <= lo[axis] {
@@ -60,21 +61,21 @@ impl Split {
                 cut.push(item);
                 continue;
             };
-            sides[side] = sides[side].with(&item.spread(), 1);
+            sides[side] = sides[side].with(&Spread::of(item), 1);
             lists[side].push(*item);
         }
         for item in cut {
-            let whole = item.spread();
+            let whole = Spread::of(item);
             let [mut left, mut right] = [whole.aabb(); 2];
             left.hi[axis] = plane;
             right.lo[axis] = plane;
-            let parts = [left, right].map(|part| primitives.part(item.prim() as usize, &part));
+            let parts = [left, right].map(|part| primitives.part(item.first() as usize, &part));
             // A box may reach farther than its primitive.
             let holds = parts.map(|part| part.lo.cmple(part.hi).all());
-            let parts = parts.map(|part| Item::new(&part, item.prim()));
+            let parts = parts.map(|part| Record::item(&part, item.first()));
             let alone = [0, 1].map(|i| sides[i].with(&whole, 1).weight() + sides[1 - i].weight());
-            let both = [0, 1].map(|i| sides[i].with(&parts[i].spread(), 1));
-            let chosen: &[(usize, Item)] =
+            let both = [0, 1].map(|i| sides[i].with(&Spread::of(&parts[i]), 1));
+            let chosen: &[(usize, Record)] =
                 if holds[0] && holds[1] && spare > 0 && both[0].weight() + both[1].weight() < alone[0].min(alone[1]) {
                     spare -= 1;
                     &[(0, parts[0]), (1, parts[1])]
@@ -85,7 +86,7 @@ impl Split {
                     &[(usize::from(alone[1] < alone[0]), *item)]
                 };
             for &(side, item) in chosen {
-                sides[side] = sides[side].with(&item.spread(), 1);
+                sides[side] = sides[side].with(&Spread::of(&item), 1);
                 lists[side].push(item);
             }
         }

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::bvh::bytes::tests::{patched, sealed};
 use crate::bvh::validate::tests::cut;
-use crate::bvh::{BuildOptions, Builder, Bvh, Degenerate, SpatialOptions};
+use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions};
 use crate::generate::{double, procedural, stress};
 use crate::geom::Mesh;
 use crate::trace::Tracer;
@@ -39,13 +39,7 @@ fn wide_hierarchies_come_back() {
     for mesh in &meshes {
         for builder in Builder::ALL {
             let spatial = SpatialOptions { extra_percent: 100, overlap: 0.0 };
-            let options = BuildOptions {
-                builder,
-                spatial,
-                degenerate: Degenerate::Kept,
-                reinsertion: 1,
-                ..BuildOptions::default()
-            };
+            let options = BuildOptions { builder, spatial, ..BuildOptions::default() };
             let bvh = options.build(mesh).expect("a tree");
             comes_back(&WideBvh::<8>::of(&bvh).expect("small enough"), mesh);
             comes_back(&WideBvh::<4>::of(&bvh).expect("small enough"), mesh);

@@ -5,12 +5,10 @@ use crate::bvh::{Builder, SpatialOptions};
 use crate::generate::draw::{Draw, one_of};
 use crate::geom::Mesh;
 
-/// Every builder, of which the last ones cut triangles and move subtrees.
+/// Every builder, one of which cuts triangles.
 fn all_options() -> impl Iterator<Item = BuildOptions> {
     let spatial = SpatialOptions { extra_percent: 1000, overlap: 0.0 };
-    Builder::ALL.into_iter().flat_map(move |builder| {
-        [0, 3].map(|reinsertion| BuildOptions { builder, spatial, reinsertion, ..BuildOptions::fine() })
-    })
+    Builder::ALL.into_iter().map(move |builder| BuildOptions { builder, spatial, ..BuildOptions::fine() })
 }
 
 /// Meshes that are placed so that the image ends next to the greatest number: whether it fits is the same for all builders,

@@ -1,0 +1,291 @@
+//! Reinsertion: subtrees are taken out of a finished tree and put where they make boxes smallest.
+//!
+//! Meister & Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization": for each node, the best
+//! new sibling is sought in the whole tree, from near to far, with a bound on what can still be gained; all searches of
+//! a round run in parallel. Then the moves are made one after the other, the most promising first. A move that no
+//! longer makes the tree cheaper, because of those before it, is taken back. So the tree gets better with every move,
+//! and does not depend on the number of threads.
+//!
+//! Only the largest nodes are moved, where most is to be gained.
+
+use super::SahOptions;
+use super::record::{Planes, Record, half_area, union};
+use crate::threads;
+
+/// How much is moved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rounds {
+    pub(super) count: u32,
+    /// The share of the nodes that may move in the first round, those of the largest area.
+    pub(super) share: f32,
+    /// What this is multiplied by from round to round. In the first ones moves stand in each other's way; rounds matter
+    /// more than shares.
+    pub(super) decay: f32,
+}
+
+/// Optimises a tree whose children stand side by side, the first pair at 1. The depth limit is kept if the tree keeps it.
+pub(super) fn reinsert(nodes: &mut [Record], rounds: Rounds, sah: SahOptions, progress: &(dyn Fn(usize) + Sync)) {
+    if rounds.count == 0 {
+        return;
+    }
+    let mut tree = Tree::of(nodes, sah);
+    let areas = Areas::of(tree.nodes);
+    let mut share = rounds.share;
+    for _ in 0..rounds.count {
+        let large = tree.large(areas.least(share));
+        share *= rounds.decay;
+        let wishes = threads::map_with(0..large.len(), 64, Vec::new, |pending, i| {
+            // Long searches are heard of, too.
+            if i % 1024 == 0 {
+                progress(0);
+            }
+            tree.best_move(large[i], pending)
+        });
+        let mut moves: Vec<_> = wishes.into_iter().flatten().collect();
+        threads::sort_by(&mut moves, |a, b| b.gain.total_cmp(&a.gain).then(a.node.cmp(&b.node)));
+        let made = moves.iter().filter(|wish| tree.try_move(wish.node, wish.sibling)).count();
+        if made == 0 {
+            break;
+        }
+    }
+}
+
+/// How many nodes there are of each area, by the first bits of it.
+struct Areas {
+    counts: Vec<u32>,
+    total: usize,
+}
+
+/// Bits that are left out.
+const REST: u32 = 16;
+
+impl Areas {
+    fn of(nodes: &[Record]) -> Self {
+        let mut counts = vec![0; 1 << (u32::BITS - REST)];
+        for node in nodes.iter().filter(|node| !node.is_none()) {
+            counts[(node.half_area().to_bits() >> REST) as usize] += 1;
+        }
+        Self { counts, total: nodes.len() }
+    }
+
+    /// The area that this share of the nodes have at least, nearly.
+    fn least(&self, share: f32) -> f32 {
+        let wanted = ((self.total as f64 * f64::from(share)) as usize).max(1);
+        let mut sum = 0;
+        let reached = |&(_, count): &(usize, &u32)| {
+            sum += *count as usize;
+            sum >= wanted
+        };
+        let least = self.counts.iter().enumerate().rev().find(reached).map_or(0, |(area, _)| area as u32);
+        f32::from_bits(least << REST)
+    }
+}
+
+/// A tree whose subtrees can be moved. A pair of children stays where it is: that of a node and its sibling becomes that
+/// of the node and its new sibling.
+struct Tree<'a> {
+    nodes: &'a mut [Record],
+    links: Vec<Link>,
+    sah: SahOptions,
+}
+
+#[derive(Clone, Copy)]
+struct Link {
+    parent: u32,
+    /// Edges to the deepest leaf, where what fits in a leaf is one.
+    height: u32,
+}
+
+/// In place of the root's parent.
+const NONE: u32 = u32::MAX;
+
+/// A node, and the sibling that it would better have.
+struct Move {
+    node: u32,
+    sibling: u32,
+    /// Half area that the tree would lose.
+    gain: f32,
+}
+
+fn sibling(place: u32) -> u32 {
+    // Pairs begin at odd places.
+    ((place + 1) ^ 1) - 1
+}
+
+impl<'a> Tree<'a> {
+    fn of(nodes: &'a mut [Record], sah: SahOptions) -> Self {
+        let mut tree = Self { links: vec![Link { parent: NONE, height: 0 }; nodes.len()], nodes, sah };
+        for place in (0..tree.nodes.len()).rev() {
+            // Children stand behind their parents, so their heights are known.
+            if !tree.nodes[place].is_none() {
+                tree.name_parent(place as u32);
+                tree.links[place].height = tree.height(place as u32);
+            }
+        }
+        tree
+    }
+
+    fn node(&self, place: u32) -> &Record {
+        &self.nodes[place as usize]
+    }
+
+    fn parent(&self, place: u32) -> Option<u32> {
+        let Link { parent, .. } = self.links[place as usize];
+        (parent != NONE).then_some(parent)
+    }
+
+    /// By those of the children.
+    fn height(&self, place: u32) -> u32 {
+        let node = self.node(place);
+        if node.count() <= self.sah.max_leaf {
+            return 0;
+        }
+        let [left, right] = [0, 1].map(|side| self.links[(node.first() + side) as usize].height);
+        1 + left.max(right)
+    }
+
+    fn name_parent(&mut self, place: u32) {
+        let node = *self.node(place);
+        if !node.is_leaf() {
+            for side in 0..2 {
+                self.links[(node.first() + side) as usize].parent = place;
+            }
+        }
+    }
+
+    /// All nodes that are so large: no child is larger than its parent.
+    fn large(&self, least: f32) -> Vec<u32> {
+        let (mut large, mut pending) = (Vec::new(), vec![0]);
+        while let Some(place) = pending.pop() {
+            let node = self.node(place);
+            if node.half_area() >= least {
+                large.push(place);
+                if !node.is_leaf() {
+                    pending.extend([node.first() + 1, node.first()]);
+                }
+            }
+        }
+        large
+    }
+
+    /// The best place for a node. `pending` is memory that is kept between calls.
+    fn best_move(&self, node: u32, pending: &mut Vec<(f32, u32)>) -> Option<Move> {
+        let own = *self.node(node).planes();
+        let area = half_area(&own);
+        let parent = self.parent(node)?;
+        self.parent(parent)?;
+        let mut best = Move { node, sibling: node, gain: 0.0 };
+        // What is gained by taking the node out, up to the pivot, whose box without the node is `shrunk`.
+        let mut freed = self.node(parent).half_area();
+        let beside = sibling(node);
+        let (mut pivot, mut other) = (parent, beside);
+        let mut shrunk = *self.node(other).planes();
+        loop {
+            pending.push((freed, other));
+            while let Some((freed, place)) = pending.pop() {
+                // The new parent is at least as large as the node.
+                if freed - area <= best.gain {
+                    continue;
+                }
+                let here = self.node(place);
+                let gain = freed - half_area(&union(here.planes(), &own));
+                if gain > best.gain && place != beside {
+                    (best.sibling, best.gain) = (place, gain);
+                }
+                if !here.is_leaf() {
+                    let freed = gain + here.half_area();
+                    if freed - area > best.gain {
+                        pending.extend([(freed, here.first()), (freed, here.first() + 1)]);
+                    }
+                }
+            }
+            let Some(above) = self.parent(pivot) else { break };
+            if pivot != parent {
+                shrunk = union(&shrunk, self.node(other).planes());
+                freed += self.node(pivot).half_area() - half_area(&shrunk);
+            }
+            other = sibling(pivot);
+            pivot = above;
+        }
+        (best.sibling != node).then_some(best)
+    }
+
+    /// Makes `node` the sibling of another one, if that keeps the depth limit and makes the tree cheaper.
+    fn try_move(&mut self, node: u32, target: u32) -> bool {
+        // Neither the root nor a child of it is moved.
+        let Some(parent) = self.parent(node).filter(|&parent| parent != target) else { return false };
+        let Some(grandparent) = self.parent(parent) else { return false };
+        let beside = sibling(node);
+        let Some(depth) = self.depth(target, node).filter(|&depth| depth > 0 && target != beside) else { return false };
+        let [own, others] = [node, target].map(|place| self.links[place as usize].height);
+        if depth + 1 + own.max(others) > self.sah.depth_limit {
+            return false;
+        }
+        let moved = *self.node(node);
+        let pair = node.min(beside);
+        // The sibling goes where the parent was, the target where the sibling was, and where the target was a node over
+        // both.
+        let mut change = -f64::from(self.node(parent).half_area());
+        self.put(parent, *self.node(beside));
+        change += self.refit(grandparent);
+        let found = *self.node(target);
+        self.put(beside, found);
+        let both = self.join(target, pair, moved, found);
+        change += f64::from(half_area(&both)) + self.refit_above(target);
+        if change < 0.0 {
+            return true;
+        }
+        self.put(target, *self.node(beside));
+        self.refit_above(target);
+        let back = *self.node(parent);
+        self.put(beside, back);
+        self.join(parent, pair, moved, back);
+        self.refit(grandparent);
+        false
+    }
+
+    /// How deep a node is; `None` if it is `other` or below it.
+    fn depth(&self, place: u32, other: u32) -> Option<u32> {
+        let (mut above, mut depth) = (place, 0);
+        while above != other {
+            let Some(next) = self.parent(above) else { return Some(depth) };
+            (above, depth) = (next, depth + 1);
+        }
+        None
+    }
+
+    /// Puts a node over a pair in a place.
+    fn join(&mut self, place: u32, pair: u32, a: Record, b: Record) -> Planes {
+        let both = a.union(&b);
+        self.put(place, Record::over(&both, pair, a.count() + b.count()));
+        both
+    }
+
+    /// Puts a node with what is below it in a place.
+    fn put(&mut self, place: u32, node: Record) {
+        self.nodes[place as usize] = node;
+        self.name_parent(place);
+        self.links[place as usize].height = self.height(place);
+    }
+
+    fn refit_above(&mut self, place: u32) -> f64 {
+        self.parent(place).map_or(0.0, |above| self.refit(above))
+    }
+
+    /// Boxes, counts and heights from a node up, as far as they change. By how much the sum of half areas grows.
+    fn refit(&mut self, place: u32) -> f64 {
+        let (mut growth, mut next) = (0.0, Some(place));
+        while let Some(place) = next {
+            let before = (*self.node(place), self.links[place as usize].height);
+            let first = before.0.first();
+            let [left, right] = [first, first + 1].map(|child| self.node(child));
+            let made = (Record::parent([left, right], first), 0);
+            self.nodes[place as usize] = made.0;
+            let made = (made.0, self.height(place));
+            self.links[place as usize].height = made.1;
+            growth += f64::from(made.0.half_area()) - f64::from(before.0.half_area());
+            next = self.parent(place).filter(|_| made.1 != before.1 || !made.0.is_same(&before.0));
+        }
+        growth
+    }
+}
