@@ -150,9 +150,7 @@ impl Source {
 
     fn into_part(self, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Part> {
         match self {
-            Self::Mesh(mesh) => {
-                Ok(Part::Mesh(Arc::new(<Single as Space>::build(&mesh, Builder::default(), tell)?)))
-            }
+            Self::Mesh(mesh) => Ok(Part::Mesh(Arc::new(<Single as Space>::build(&mesh, Builder::default(), tell)?))),
             Self::Group(group) => Ok(Part::Group(group)),
         }
     }

@@ -68,11 +68,11 @@ impl Scene {
         build: &str,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
-        let (how, progress) = (builder(build)?, progress.as_ref());
+        let (builder, progress) = (builder(build)?, progress.as_ref());
         let held = if dtype == Single::DTYPE {
-            Either::Single(Box::new(Held::build(py, mesh::<Single>(vertices, faces)?, how, progress)?))
+            Either::Single(Box::new(Held::build(py, mesh::<Single>(vertices, faces)?, builder, progress)?))
         } else {
-            Either::Double(Box::new(Held::build(py, mesh::<Double>(vertices, faces)?, how, progress)?))
+            Either::Double(Box::new(Held::build(py, mesh::<Double>(vertices, faces)?, builder, progress)?))
         };
         Ok(Self { held })
     }
@@ -235,12 +235,12 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
     fn build(
         py: Python<'_>,
         mesh: Mesh<S::Vector>,
-        how: (Builder, u32),
+        builder: Builder,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let count = mesh.triangles().len();
         in_background(py, count, progress, move |tell| {
-            let bvh = S::build(&mesh, how, tell)?;
+            let bvh = S::build(&mesh, builder, tell)?;
             Ok(Self { mesh: Arc::new(mesh), bvh, edges: OnceLock::new() })
         })
     }

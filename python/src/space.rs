@@ -51,7 +51,7 @@ pub(crate) trait Space: Sized + Send + Sync {
     const DTYPE: &'static str;
 
     /// `tell` hears how many faces have found their place since it was last called.
-    fn build(mesh: &Mesh<Self::Vector>, how: (Builder, u32), tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
+    fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     fn to_bytes(&self) -> Vec<u8>;
     /// The hierarchy that bytes are, if it is one over this mesh.
