@@ -86,9 +86,12 @@ impl Wide {
     /// At least what is told of any box that a hit whose distance rounds to at most `tmax` is in.
     #[inline(always)]
     fn end(&self, tmax: f64) -> f32 {
-        let end = tmax * (self.unit[1] * BEYOND) - self.start;
+        let end = tmax * (self.unit[1] * BEYOND) - self.start + LEAST;
+        // Rounded up: a box is told to end here, and a hit in it may be at `tmax`.
+        let rounded = end as f32;
+        let end = if f64::from(rounded) < end { rounded.next_up() } else { rounded };
         // Nothing in the region is beyond the greatest float.
-        ((end + LEAST) as f32).min(f32::MAX)
+        end.min(f32::MAX)
     }
 }
 

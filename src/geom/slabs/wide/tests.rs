@@ -1,7 +1,9 @@
+use fearless_simd::Fallback;
 use glam::Vec3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::geom::lanes::{FramedBoxes, NodeBoxes as _};
 use crate::geom::tests::threshold;
 use crate::geom::truth::{self, entry as true_entry};
 use crate::geom::{Aabb, Frame};
@@ -42,19 +44,21 @@ fn case() -> impl Strategy<Value = Case> {
         2 => point(),
         1 => (point(), prop::sample::select(vec![1e3, 1e9, 1e15, 1e30, 1e100, 1e200])).prop_map(|(p, far)| p * far),
         1 => [component(), component(), component()].prop_map(DVec3::from),
+        1 => [-8.0..8.0, -8.0..8.0, -8.0..8.0f64].prop_map(DVec3::from),
     ];
     let direction = [component(), component(), component()].prop_map(DVec3::from);
-    let end = || prop_oneof![3 => Just(None), 1 => (0.0..2.0f64).prop_map(Some)];
+    let end = || prop_oneof![6 => Just(None), 2 => (0.0..2.0f64).prop_map(Some), 1 => Just(Some(1.0))];
     let length = prop::sample::select(vec![0, 0, 0, 100, -100, 500, -500, 1000, -1000]);
     let corners = [point(), point(), point(), point()];
-    (frame(), corners, origin, direction, (any::<bool>(), point(), length), (end(), end())).prop_filter_map(
+    (frame(), corners, origin, direction, (0..3, point(), length), (end(), end())).prop_filter_map(
         "not a ray",
-        |(frame, [a, b, c, d], origin, direction, (is_aimed, target, length), (tmin, tmax))| {
+        |(frame, [a, b, c, d], origin, direction, (aim, target, length), (tmin, tmax))| {
             let boxes = [[a, b], [c, d]].map(|corners| Aabb::of(&corners.map(DVec3::as_vec3)));
             let space = |p: DVec3| p * power_of_two(frame.exponent()) + frame.origin();
-            let o = space(origin);
-            let d = if is_aimed { space(target) - o } else { direction } * power_of_two(length);
-            let t = if is_aimed { power_of_two(-length) } else { 1.0 };
+            // At nothing, at a point, or at a corner of the first box.
+            let (o, target) = (space(origin), if aim == 1 { target } else { a });
+            let d = if aim == 0 { direction } else { space(target) - o } * power_of_two(length);
+            let t = if aim == 0 { 1.0 } else { power_of_two(-length) };
             let ray = Ray::within(o, d, tmin.unwrap_or(0.0) * t, tmax.map_or(f64::INFINITY, |x| x * t)).ok()?;
             Some(Case { frame, boxes, ray })
         },
@@ -63,6 +67,12 @@ fn case() -> impl Strategy<Value = Case> {
 
 fn planes([a, b]: [Aabb; 2]) -> [[f32; 4]; 3] {
     [0, 1, 2].map(|axis| [a.lo[axis], a.hi[axis], b.lo[axis], b.hi[axis]])
+}
+
+/// In the lanes of a node, of which six are empty.
+fn eight([a, b]: [Aabb; 2]) -> [[[f32; 8]; 2]; 3] {
+    let boxes: [Aabb; 8] = std::array::from_fn(|lane| *[a, b].get(lane).unwrap_or(&Aabb::EMPTY));
+    [0, 1, 2].map(|axis| [boxes.map(|aabb| aabb.lo[axis]), boxes.map(|aabb| aabb.hi[axis])])
 }
 
 /// The exact distances at which a box is entered and left, rounded to doubles.
@@ -85,6 +95,23 @@ proptest! {
         holds(&case, |planes, tmax| wide.pair(planes, tmax))?;
         holds(&case, |planes, tmax| entered.pair(planes, tmax))?;
         holds(&case, |planes, tmax| exact.pair(planes, tmax))?;
+    }
+
+    /// All boxes of a node at once. [BOX-8] [BOX-9]
+    #[test]
+    fn a_node_skips_no_box_that_is_touched(case in case()) {
+        let Case { frame, boxes, ray } = &case;
+        let region = Region::within(*frame, &boxes[0].union(boxes[1]));
+        let slabs = FramedBoxes::new(Fallback::new(), ray, &region);
+        let planes = eight(*boxes);
+        for (side, aabb) in boxes.iter().enumerate() {
+            let Some(t) = truly(&case, aabb, [ray.tmin(), ray.tmax()]) else { continue };
+            // Up to the end of the ray, and up to a hit where the box is entered.
+            for end in [ray.tmax(), t] {
+                let (_, set) = slabs.enter(&planes, slabs.end(end));
+                prop_assert!(set >> side & 1 == 1, "{side} {t} {end} {set:b}");
+            }
+        }
     }
 
     /// Not only nothing is skipped: boxes that are missed by far are, however far away the ray begins. [BOX-8] [BOX-9]
