@@ -3,7 +3,7 @@ use super::*;
 use crate::bvh::{
     BuildOptions, Builder, Bvh, BvhNode, Degenerate, Leaf, LeafTriangle, RefitError, SahOptions, SpatialOptions,
 };
-use crate::generate::{procedural, stress};
+use crate::generate::{double, procedural, stress};
 use crate::geom::{Mesh, Triangle};
 use crate::wide::{Link, Recorded, ancestor_key, child_key, key_level};
 
@@ -102,12 +102,12 @@ fn the_smallest_ones_are_sound() {
 fn large_leaves_are_divided() {
     // One binary leaf; then coincident triangles.
     let mesh = procedural::soup(1, 1000);
-    let bvh = BuildOptions {
+    let options = BuildOptions {
         builder: Builder::Median,
         sah: SahOptions { max_leaf: 1000, ..SahOptions::default() },
         ..BuildOptions::default()
     };
-    let bvh = bvh.build(&mesh).expect("a tree");
+    let bvh = options.build(&mesh).expect("a tree");
     assert_eq!(bvh.leaves().len(), 1);
     sound(&mesh, &bvh);
     for wide in [
@@ -116,6 +116,13 @@ fn large_leaves_are_divided() {
     ] {
         let most = wide.nodes.iter().flat_map(|node| node.children).filter(|&bits| Node::from_bits(bits).is_leaf());
         assert!(most.map(|bits| leaf_parts(Node::from_bits(bits)).1).max().expect("a leaf") <= 15);
+    }
+    // In every frame: the boxes of the halves are in the frame too.
+    for place in double::PLACES {
+        let mesh = place.mesh(&mesh).expect("a mesh");
+        let bvh = options.build(&mesh).expect("a tree");
+        let wide = WideBvh::<8, _>::of(&bvh).expect("small enough");
+        assert_eq!((bvh.leaves().len(), wide.validate(&mesh)), (1, Ok(())), "{}", place.name);
     }
     let same = triangles([Vec3::ZERO, Vec3::X, Vec3::Y].repeat(300));
     sound(&same, &Bvh::build(&same).expect("a tree"));

@@ -139,3 +139,76 @@ fn leaves_have_the_nearest_hit() {
     }
     assert!(found > 1_000, "{found}");
 }
+
+/// Lines that take much of a bound: the bits of origin, direction, corners, and the origin of the frame. A hill climb over bits
+/// found them.
+const WORST: [[[u64; 3]; 6]; 5] = [
+    // An edge function of a hit has the wrong sign, by 0.32 of its bound. [LANES-3]
+    [
+        [0xc001_8000_055b_07c7, 0x3ffd_0000_06ad_0c9d, 0x4002_7fff_fc23_78cf],
+        [0x3ff0_0000_0026_349c, 0xbfef_ffff_fbf0_74df, 0xbfef_ffff_fdfa_069b],
+        [0xbfd0_0000_2b87_be46, 0xbfcf_ffff_aa54_b840, 0x3fcf_ffff_c09e_ef76],
+        [0xbfd4_0003_eddb_caba, 0xbfd3_fffe_41ad_fa05, 0x3fd4_145a_973e_9011],
+        [0xbfc8_0000_534d_329e, 0xbfc7_ffff_aa1b_421e, 0x3fd3_ffff_e933_ac04],
+        [0xbfd0_0002_0766_a7dc, 0xbfcf_fff8_b24b_b8fb, 0x3fd0_601d_83a4_af71],
+    ],
+    // Nearly a hit: the edge functions have one sign, by 0.12 of their bound. [LANES-6]
+    [
+        [0xbfba_04cc_83ae_9581, 0x4000_f1b3_e412_9e90, 0x3fc0_e51f_37d0_69ac],
+        [0xbff0_5b06_3d7f_b30c, 0xbfef_c764_0fb1_d3da, 0xbff0_21b5_2350_7cb1],
+        [0xbff0_00f9_ef22_6be9, 0x3fef_ff69_7d78_cb73, 0xbfef_fed5_0683_d85c],
+        [0xbfec_01f0_fbc6_d8fd, 0x3ff1_ffb7_8a2b_7dcd, 0xbff1_ff6b_d7bd_b584],
+        [0xbff2_00f9_d45a_cc3b, 0x3ff1_ffb5_bdc1_cfea, 0xbfeb_fed4_db34_e8ff],
+        [0xbff0_00f9_2f25_cf2d, 0x3ff0_cab6_7ab3_06b1, 0xbfef_fed6_43f6_56ca],
+    ],
+    // The distance is off by 0.24 of its bound. [LANES-6]
+    [
+        [0xbff0_01d9_26ce_5689, 0xbff0_20f8_ce58_ef50, 0xbff0_2f79_7eb6_0cf9],
+        [0xbff0_003c_5fe3_d848, 0xbfef_96ba_c336_c836, 0xbfef_b28f_0eb0_a92b],
+        [0x3f32_c395_2ebb_4c00, 0x3fbf_8794_214d_d268, 0xbf3f_759b_9f9d_77ff],
+        [0xbff0_59a1_0e5f_3510, 0xbfef_ffc9_c10f_fa19, 0x3ff0_0010_c11c_1e82],
+        [0x3ff0_003c_5fe3_d848, 0xbfef_fd05_27e8_1912, 0xbfef_f6be_91a2_0621],
+        [0xbf86_593c_4098_4f75, 0xbfa1_8c00_4987_c706, 0xbf86_6f10_beab_f682],
+    ],
+    // Of the distance, a quarter of the bound that the origin makes is too little. [LANES-6]
+    [
+        [0xbfef_f852_c694_5f80, 0xbff0_004c_c060_9856, 0xbff0_004c_4302_90a1],
+        [0x4002_b410_bd23_463f, 0xc002_9018_8c7a_5be8, 0xbfd0_4319_2588_b2bd],
+        [0x3ff0_0d54_50fb_1457, 0x3ff0_000e_3324_80d7, 0xbfee_dea9_9a60_2e67],
+        [0xbff0_0000_184e_2762, 0xbff0_0001_1590_71b4, 0x3ff0_63fe_e8bf_f378],
+        [0xbff0_00f2_cb02_aeee, 0xbff0_06c6_1488_6944, 0xc007_bd9e_3d09_582c],
+        [0xbfef_a653_c8ee_da4c, 0xbfef_1a44_ee8e_2691, 0xbfef_173d_9269_6daa],
+    ],
+    // A hit is beyond its own distance by 0.22 of the bound. [LANES-4]
+    [
+        [0x3fef_fff6_3b96_6524, 0x3fef_b03a_09ac_3f35, 0x3ff0_2f72_4cf6_a697],
+        [0xbfed_8973_9e36_0d9f, 0x3ff0_70f3_1b20_cbc8, 0xbff0_1ba5_94cc_1fd8],
+        [0xbff0_0001_b5b8_c259, 0xbfed_f94d_fb18_0da0, 0xbff0_0014_0be1_1d00],
+        [0xbfef_fff8_4de0_41db, 0x3ff3_a84e_c12a_c43a, 0x3ff0_0014_0bf0_0ea3],
+        [0x3fef_ff09_4172_948e, 0x3ff3_a84e_412a_b6b3, 0x3ff0_06bc_6074_6ff1],
+        [0x3fb5_2681_831c_0575, 0x3fc2_aea1_024a_de98, 0x3fb5_2673_201c_6f88],
+    ],
+];
+
+/// [LANES-3] [LANES-4] [LANES-6]
+#[test]
+fn bounds_are_great_enough_for_the_worst() {
+    for row in WORST {
+        let [o, d, a, b, c, middle] = row.map(|bits| DVec3::from(bits.map(f64::from_bits)));
+        let (ray, triangle) = (Ray::new(o, d).expect("a ray"), Triangle([a, b, c]));
+        let region = region(&Frame::new(middle, 0).expect("a frame"), &[triangle]);
+        let mut block = Block::EMPTY;
+        block.set(0, &triangle, 0);
+        let meeting = truth::meet([a, b, c].map(|v| v.to_array()), o.to_array(), d.to_array());
+        let t = meeting.within([f64::MIN, f64::MAX]).map(|point| point.t);
+        let best = t.as_ref().map_or(-1.0, truth::round_f64);
+        for level in levels() {
+            let (left, certain, [lo, hi]) =
+                dispatch!(level, simd => told(simd, &TriangleRay::double(simd, &ray, &region), &block, best));
+            assert!(best < 0.0 || left & 1 == 1, "{ray:?} {triangle:?}");
+            let [lo, hi] = [lo, hi].map(|ends| f64::from_bits(ends[0]));
+            let is_true = t.as_ref().is_some_and(|t| exact(lo) <= *t && *t <= exact(hi));
+            assert!(certain & 1 == 0 || is_true, "{ray:?} {triangle:?} {lo} {hi}");
+        }
+    }
+}
