@@ -59,7 +59,7 @@ impl Draft {
     }
 
     /// Calls `visit` with all places, children before their parents.
-    pub(in crate::bvh) fn upward(&self, mut visit: impl FnMut(u32)) {
+    fn upward(&self, mut visit: impl FnMut(u32)) {
         let mut order = Vec::with_capacity(self.nodes.len());
         let mut pending = vec![0];
         while let Some(place) = pending.pop() {
@@ -88,19 +88,14 @@ impl Draft {
     }
 
     /// The primitives below a node, from left to right; each once, and in order where there are parts.
-    pub(in crate::bvh) fn prims(&self, place: u32, prims: &mut Vec<u32>) {
+    fn prims(&self, place: u32, prims: &mut Vec<u32>) {
         let start = prims.len();
         self.leaves(place, |leaf| prims.push(leaf.first()));
         if self.has_parts {
-            prims[start..].sort_unstable();
-            let mut kept = start;
-            for i in start..prims.len() {
-                if i == start || prims[i] != prims[i - 1] {
-                    prims[kept] = prims[i];
-                    kept += 1;
-                }
-            }
-            prims.truncate(kept);
+            let mut own = prims.split_off(start);
+            own.sort_unstable();
+            own.dedup();
+            prims.append(&mut own);
         }
     }
 

@@ -137,8 +137,8 @@ pub enum Degenerate {
 }
 
 impl BuildOptions {
-    /// One primitive a leaf, and deep enough for that: the binary tree that a [wide hierarchy](super::WideBvh) is made
-    /// of, which chooses its leaves itself.
+    /// One primitive a leaf, and deep enough for that: the tree that [wide hierarchies](Self::build_wide) are made of,
+    /// which choose their leaves themselves.
     #[must_use]
     pub fn fine() -> Self {
         Self { sah: SahOptions { max_leaf: 1, depth_limit: 60 }, ..Self::default() }

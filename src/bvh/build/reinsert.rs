@@ -63,7 +63,9 @@ impl Areas {
     fn of(nodes: &[Record]) -> Self {
         let mut counts = vec![0; 1 << (u32::BITS - REST)];
         for node in nodes.iter().filter(|node| !node.is_none()) {
-            counts[(node.half_area().to_bits() >> REST) as usize] += 1;
+            let area = node.half_area();
+            // That of a flat box may be -0, whose first bit is not 0.
+            counts[if area > 0.0 { area.to_bits() >> REST } else { 0 } as usize] += 1;
         }
         Self { counts, total: nodes.len() }
     }
@@ -289,3 +291,6 @@ impl<'a> Tree<'a> {
         growth
     }
 }
+
+#[cfg(test)]
+mod tests;
