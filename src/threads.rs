@@ -86,6 +86,19 @@ pub(crate) fn map<A: Send>(range: Range<usize>, least: usize, f: impl Fn(usize) 
     map_with(range, least, || (), |(), i| f(i))
 }
 
+/// [`map`] into an empty vector, which does not grow if it has room for all.
+pub(crate) fn map_into<A: Send>(
+    all: &mut Vec<A>,
+    range: Range<usize>,
+    least: usize,
+    f: impl Fn(usize) -> A + Sync + Send,
+) {
+    #[cfg(feature = "parallel")]
+    range.into_par_iter().with_min_len(least).map_init(floats::probe, |(), i| f(i)).collect_into_vec(all);
+    #[cfg(not(feature = "parallel"))]
+    all.extend(range.map(f));
+}
+
 /// [`map`] with something that a thread keeps from one index to the next, and that must not change what comes out.
 pub(crate) fn map_with<M, A: Send>(
     range: Range<usize>,

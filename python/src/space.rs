@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use numpy::Element;
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
@@ -125,6 +126,7 @@ where
 
 fn of_wide(error: WideError) -> PyErr {
     match error {
+        WideError::Build(BuildError::Memory(_)) => PyMemoryError::new_err(error.to_string()),
         WideError::Build(error) if !matches!(error, BuildError::Environment(_)) => refused(error),
         error => failed(error),
     }

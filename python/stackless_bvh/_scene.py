@@ -30,8 +30,8 @@ class Scene:
         Shape (m, 3), integers: three rows of `vertices` for each triangle. Faces without an area are allowed, and no
         ray hits them.
     build
-        How the hierarchy is built: "standard", "fast" (the fastest build), "best" (the fastest rays), "sbvh", "bounded" or
-        "median". Answers do not depend on it.
+        How the hierarchy is built: "standard", "fast" (the fastest build), "best" (the fastest rays), "sbvh", "bounded"
+        or "median". Answers do not depend on it.
     progress
         Is called as ``progress(done, count)`` now and then, with numbers of faces, while the hierarchy is built.
 

@@ -2,7 +2,7 @@
 
 use super::record::{CHUNK, Record};
 use super::sah::NODE_COST;
-use super::{Primitives, SahOptions};
+use super::{BuildError, Primitives, SahOptions, filled, reserve, room};
 use crate::bvh::least::Least;
 use crate::bvh::{Bvh, BvhNode, BvhTree, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
@@ -59,8 +59,8 @@ impl Draft {
     }
 
     /// Calls `visit` with all places, children before their parents.
-    fn upward(&self, mut visit: impl FnMut(u32)) {
-        let mut order = Vec::with_capacity(self.nodes.len());
+    fn upward(&self, mut visit: impl FnMut(u32)) -> Result<(), BuildError> {
+        let mut order = room(self.nodes.len())?;
         let mut pending = vec![0];
         while let Some(place) = pending.pop() {
             order.push(place);
@@ -70,11 +70,12 @@ impl Draft {
             }
         }
         order.into_iter().rev().for_each(&mut visit);
+        Ok(())
     }
 
     /// The same tree with the boxes of these primitives.
-    pub(super) fn fitted<P: Primitives + ?Sized>(mut self, primitives: &P) -> Self {
-        let mut nodes = self.nodes.clone();
+    pub(super) fn fitted<P: Primitives + ?Sized>(mut self, primitives: &P) -> Result<Self, BuildError> {
+        let mut nodes = filled(Record::NONE, self.nodes.len())?;
         self.upward(|place| {
             let first = self.node(place).first();
             nodes[place as usize] = if self.node(place).is_leaf() {
@@ -82,9 +83,9 @@ impl Draft {
             } else {
                 Record::parent([0, 1].map(|side| &nodes[(first + side) as usize]), first)
             };
-        });
+        })?;
         self.unscaled = Some(nodes);
-        self
+        Ok(self)
     }
 
     /// The primitives below a node, from left to right; each once, and in order where there are parts.
@@ -115,21 +116,22 @@ impl Draft {
         dropped: usize,
         leaves: Leaves,
         sah: SahOptions,
-    ) -> Bvh<P::Shape> {
+    ) -> Result<Bvh<P::Shape>, BuildError> {
         let bounds = self.aabb(0);
         let mut layout = Layout { draft: self, rule: leaves, sah, made: Made::default(), prims: Vec::new() };
-        layout.prims.reserve(self.nodes[0].count() as usize);
+        reserve(&mut layout.prims, self.nodes[0].count() as usize)?;
         layout.place();
         let Layout { mut made, prims, .. } = layout;
         made.link();
         let held = |prim: u32| LeafTriangle { shape: primitives.shape(prim as usize), prim };
-        let triangles = threads::map(0..prims.len(), CHUNK, |i| held(prims[i]));
+        let mut triangles = room(prims.len())?;
+        threads::map_into(&mut triangles, 0..prims.len(), CHUNK, |i| held(prims[i]));
         let (recorded, region) = (Recorded::ParentSibling, Region::within(primitives.frame(), &bounds));
         let duplicates = prims.len() + dropped - primitives.count();
         let Made { nodes, axes, leaves, depth } = made;
         let root = if nodes.is_empty() { Node::leaf(0) } else { Node::inner(0) };
         let tree = BvhTree { root, depth, recorded, nodes, axes, leaves };
-        Bvh { dropped, duplicates, bounds, region, tree, triangles, least: Least::default() }
+        Ok(Bvh { dropped, duplicates, bounds, region, tree, triangles, least: Least::default() })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Builders. Each makes a [`Draft`] with a node for each primitive; the layout is one for all.
 //!
-//! The same primitives and options give the same tree, on any number of threads and any machine.
+//! The same primitives and options give the same tree, on any number of threads and any machine. `[BUILD-1]` `[BUILD-2]`
 
 mod bins;
 mod draft;
@@ -56,9 +56,31 @@ pub enum BuildError {
         /// Greatest depth, in edges.
         limit: u32,
     },
+    /// There is no memory for so many bytes.
+    #[error("no memory for {0} bytes")]
+    Memory(usize),
     /// Floats of this thread, or of one that helps, are not those of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
+}
+
+/// An empty vector with room for so many.
+pub(super) fn room<T>(count: usize) -> Result<Vec<T>, BuildError> {
+    let mut made = Vec::new();
+    reserve(&mut made, count)?;
+    Ok(made)
+}
+
+/// Makes room for so many more.
+pub(super) fn reserve<T>(all: &mut Vec<T>, count: usize) -> Result<(), BuildError> {
+    all.try_reserve_exact(count).map_err(|_| BuildError::Memory(count.saturating_mul(size_of::<T>())))
+}
+
+/// So many of the same.
+pub(super) fn filled<T: Clone>(value: T, count: usize) -> Result<Vec<T>, BuildError> {
+    let mut made = room(count)?;
+    made.resize(count, value);
+    Ok(made)
 }
 
 /// How a hierarchy is built, by name.
@@ -173,7 +195,7 @@ impl BuildOptions {
     ) -> Result<Bvh<P::Shape>, BuildError> {
         threads::guarded(|| {
             let (draft, dropped) = self.draft(primitives, progress)?;
-            Ok(draft.lay_out(primitives, dropped, self.leaves(draft.nodes[0].count() as usize), self.sah))
+            draft.lay_out(primitives, dropped, self.leaves(draft.nodes[0].count() as usize), self.sah)
         })?
     }
 
@@ -206,18 +228,18 @@ impl BuildOptions {
         let is_spatial = self.builder == Builder::Spatial;
         let is_scaled = !is_spatial && record::scale(&mut items);
         let nodes = if is_spatial {
-            spatial::build(primitives, items, self, progress)
+            spatial::build(primitives, items, self, progress)?
         } else {
             let by_area = match self.builder {
                 Builder::Bounded => BOUNDED_LEVELS,
                 Builder::Median => 0,
                 _ => u32::MAX,
             };
-            TopDown { options: sah, by_area, level, progress }.build(items)
+            TopDown { options: sah, by_area, level, progress }.build(items)?
         };
         let mut draft = Draft { nodes, has_parts: is_spatial, unscaled: None };
-        reinsert::reinsert(&mut draft.nodes, self.builder.rounds(), sah, progress);
-        Ok((if is_scaled { draft.fitted(primitives) } else { draft }, dropped))
+        reinsert::reinsert(&mut draft.nodes, self.builder.rounds(), sah, progress)?;
+        Ok((if is_scaled { draft.fitted(primitives)? } else { draft }, dropped))
     }
 
     /// What becomes a leaf of so many items.

@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, SimdBase, f32x8};
 use glam::{Vec3, Vec3A};
 
-use super::{BuildError, Degenerate, Primitives};
+use super::{BuildError, Degenerate, Primitives, room};
 use crate::geom::{Aabb, power_of_two};
 use crate::threads;
 use crate::tree::Node;
@@ -175,7 +175,8 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenera
     };
     let is_wanted = |i| degenerate == Degenerate::Kept || primitives.can_be_hit(i);
     let item = |i| if is_wanted(i) { Record::item(&primitives.aabb(i), i as u32) } else { Record::NONE };
-    let mut items = threads::map(0..n, CHUNK, item);
+    let mut items = room(n)?;
+    threads::map_into(&mut items, 0..n, CHUNK, item);
     if degenerate == Degenerate::LeftOut {
         items.retain(|item| !item.is_none());
     }
@@ -190,7 +191,7 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenera
     }
 }
 
-/// Takes boxes into a space of usual size where they are not, and says so. Areas of huge boxes overflow, of tiny ones
+/// Takes boxes into a space of usual size where they are not, and says so. `[BUILD-4]` Areas of huge boxes overflow, of tiny ones
 /// they are 0, and an infinite one has no middle.
 pub(super) fn scale(items: &mut [Record]) -> bool {
     let reach_of = |items: &[Record]| items.iter().fold([0.0; 2], |all, item| wider(all, item.reach()));

@@ -8,8 +8,8 @@
 //!
 //! Only the largest nodes are moved, where most is to be gained.
 
-use super::SahOptions;
 use super::record::{Planes, Record, half_area, union};
+use super::{BuildError, SahOptions, filled};
 use crate::threads;
 
 /// How much is moved.
@@ -24,11 +24,16 @@ pub(super) struct Rounds {
 }
 
 /// Optimises a tree whose children stand side by side, the first pair at 1. The depth limit is kept if the tree keeps it.
-pub(super) fn reinsert(nodes: &mut [Record], rounds: Rounds, sah: SahOptions, progress: &(dyn Fn(usize) + Sync)) {
+pub(super) fn reinsert(
+    nodes: &mut [Record],
+    rounds: Rounds,
+    sah: SahOptions,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(), BuildError> {
     if rounds.count == 0 {
-        return;
+        return Ok(());
     }
-    let mut tree = Tree::of(nodes, sah);
+    let mut tree = Tree::of(nodes, sah)?;
     let areas = Areas::of(tree.nodes);
     let mut share = rounds.share;
     for _ in 0..rounds.count {
@@ -48,6 +53,7 @@ pub(super) fn reinsert(nodes: &mut [Record], rounds: Rounds, sah: SahOptions, pr
             break;
         }
     }
+    Ok(())
 }
 
 /// How many nodes there are of each area, by the first bits of it.
@@ -115,8 +121,8 @@ fn sibling(place: u32) -> u32 {
 }
 
 impl<'a> Tree<'a> {
-    fn of(nodes: &'a mut [Record], sah: SahOptions) -> Self {
-        let mut tree = Self { links: vec![Link { parent: NONE, height: 0 }; nodes.len()], nodes, sah };
+    fn of(nodes: &'a mut [Record], sah: SahOptions) -> Result<Self, BuildError> {
+        let mut tree = Self { links: filled(Link { parent: NONE, height: 0 }, nodes.len())?, nodes, sah };
         for place in (0..tree.nodes.len()).rev() {
             // Children stand behind their parents, so their heights are known.
             if !tree.nodes[place].is_none() {
@@ -124,7 +130,7 @@ impl<'a> Tree<'a> {
                 tree.links[place].height = tree.height(place as u32);
             }
         }
-        tree
+        Ok(tree)
     }
 
     fn node(&self, place: u32) -> &Record {
@@ -212,7 +218,7 @@ impl<'a> Tree<'a> {
         (best.sibling != node).then_some(best)
     }
 
-    /// Makes `node` the sibling of another one, if that keeps the depth limit and makes the tree cheaper.
+    /// Makes `node` the sibling of another one, if that keeps the depth limit and makes the tree cheaper. `[BUILD-5]`
     fn try_move(&mut self, node: u32, target: u32) -> bool {
         // Neither the root nor a child of it is moved.
         let Some(parent) = self.parent(node).filter(|&parent| parent != target) else { return false };

@@ -2,7 +2,7 @@
 
 use super::BuildError;
 
-/// Leaves and depth of a binary hierarchy.
+/// Leaves and depth of a binary hierarchy. `[BUILD-3]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SahOptions {
     /// Triangles that a leaf may hold, at least 1. Where fewer are cheaper, leaves are smaller.

@@ -15,7 +15,7 @@ mod split;
 
 use super::record::Record;
 use super::top_down::halve;
-use super::{BuildOptions, Primitives, SahOptions};
+use super::{BuildError, BuildOptions, Primitives, SahOptions, filled, reserve};
 use crate::threads;
 use crate::tree::Node;
 use bins::Bins;
@@ -52,18 +52,19 @@ pub(super) fn build<P: Primitives + ?Sized>(
     mut items: Vec<Record>,
     options: &BuildOptions,
     progress: &(dyn Fn(usize) + Sync),
-) -> Vec<Record> {
+) -> Result<Vec<Record>, BuildError> {
     let count = items.len();
     let extra = (count as u64 * u64::from(options.spatial.extra_percent) / 100) as usize;
     let places = count.saturating_add(extra).min(Node::MAX_INDEX as usize);
     let least_overlap = options.spatial.overlap * Extents::of(&items).boxes.half_area();
+    reserve(&mut items, places - count)?;
     items.resize(places, Record::NONE);
-    let mut nodes = vec![Record::NONE; 2 * places - 1];
+    let mut nodes = filled(Record::NONE, 2 * places - 1)?;
     let builder = Builder { primitives, sah: options.sah, least_overlap, progress };
     if let Some((node, below)) = nodes.split_first_mut() {
         builder.run(Range { items: &mut items, count, own: count, node, below, next: 1, depth: 0 });
     }
-    nodes
+    Ok(nodes)
 }
 
 struct Builder<'a, P: ?Sized> {

@@ -14,6 +14,7 @@ fn options(builder: Builder, max_leaf: u32, depth_limit: u32) -> BuildOptions {
     BuildOptions { builder, sah: SahOptions { max_leaf, depth_limit }, ..BuildOptions::default() }
 }
 
+/// [BUILD-2] [BUILD-3]
 #[test]
 fn every_builder_is_sound_and_keeps_its_word() {
     for mesh in awkward() {
@@ -60,6 +61,7 @@ fn boxes_without_areas_are_halved() {
     }
 }
 
+/// [BUILD-1]
 #[test]
 fn any_number_of_threads_builds_the_same_tree() {
     // More than one chunk, and more than bins are filled by one task.
@@ -85,6 +87,7 @@ fn is_same(a: &Draft, b: &Draft) -> bool {
     a.nodes.len() == b.nodes.len() && pairs.all(|(a, b)| a.is_same(b) && a.first() == b.first())
 }
 
+/// [BUILD-1]
 #[test]
 fn any_level_builds_the_same_tree() {
     for mesh in [procedural::soup(3, 20_000), procedural::strands(1, 2000)] {
@@ -96,7 +99,7 @@ fn any_level_builds_the_same_tree() {
     }
 }
 
-/// Where areas overflow or vanish the tree is no worse.
+/// Where areas overflow or vanish the tree is no worse. [BUILD-4]
 #[test]
 fn trees_do_not_depend_on_the_unit() {
     let soup = procedural::soup(7, 3000);
@@ -237,6 +240,13 @@ fn primitives_without_a_box_are_refused() {
         blocks[3].0 = all;
         assert_eq!(options(builder, 1, 31).build(&blocks[..]).map(|bvh| bvh.triangles().len()), Ok(9), "{builder}");
     }
+}
+
+/// Which is what a vector says of more than there can be.
+#[test]
+fn memory_that_there_is_not_is_an_error() {
+    assert_eq!(room::<Vec3>(usize::MAX / 2).err(), Some(BuildError::Memory(usize::MAX)));
+    assert_eq!(filled(7_u64, 3), Ok(vec![7; 3]));
 }
 
 /// Memory for further references is taken at once, so it has to be bounded.

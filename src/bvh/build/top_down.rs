@@ -2,10 +2,10 @@
 
 use fearless_simd::{Level, Simd};
 
-use super::SahOptions;
 use super::bins::{Bins, Border, Scale, extents};
 use super::merge::{self, merge};
 use super::record::{CHUNK, Planes, Record};
+use super::{BuildError, SahOptions, filled};
 use crate::geom::lanes::vectorize;
 use crate::threads;
 
@@ -52,19 +52,19 @@ const TASK: usize = 1 << 12;
 impl TopDown<'_> {
     /// A node for each item, and the nodes over them: children side by side, below them those of the left one, then those
     /// of the right one.
-    pub(super) fn build(&self, mut items: Vec<Record>) -> Vec<Record> {
+    pub(super) fn build(&self, mut items: Vec<Record>) -> Result<Vec<Record>, BuildError> {
         let n = items.len();
-        let mut nodes = vec![Record::NONE; 2 * n - 1];
+        let mut nodes = filled(Record::NONE, 2 * n - 1)?;
         let (root, rest) = nodes.split_at_mut(1);
         if n == 1 {
             root[0] = items[0];
             (self.progress)(1);
-            return nodes;
+            return Ok(nodes);
         }
         let [boxes, centroids] = self.extents(&items);
         root[0] = Record::over(&boxes, 1, n as u32);
         self.run(Task { items: &mut items, nodes: rest, from: 1, depth: 0, centroids });
-        nodes
+        Ok(nodes)
     }
 
     fn run(&self, task: Task<'_>) {

@@ -4,7 +4,7 @@ use super::draft::{Shapes, draft_of};
 use super::layout::assign;
 use super::programme::Programme;
 use super::{BLOCK_BITS, CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
-use crate::bvh::build::Draft;
+use crate::bvh::build::{Draft, reserve};
 use crate::bvh::least::Least;
 use crate::bvh::{BuildError, BuildOptions, Bvh, SahOptions};
 use crate::geom::lanes::{Block, Precision};
@@ -130,7 +130,7 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
             return Err(WideError::Cost(cost));
         }
         threads::guarded(|| {
-            let made = collapse(bvh, &draft_of(bvh), options)?;
+            let made = collapse(bvh, &draft_of(bvh)?, options)?;
             let triangles = bvh.triangles().len() - bvh.duplicates() + bvh.dropped();
             Ok(made.finish(*bvh.region(), triangles, bvh.dropped()))
         })?
@@ -144,15 +144,15 @@ fn collapse<const A: usize, V: Precision>(
     options: &WideOptions,
 ) -> Result<Made<V, A>, WideError> {
     const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
-    let programme = Programme::of(draft, options);
+    let programme = Programme::of(draft, options)?;
     let collapse = Collapse { shapes, draft, programme: &programme };
     let root = Pending { source: Source::Node(0), index: 0, level: 0 };
     let (mut made, mut pending) = collapse.below(root, CUT);
     name_ancestors(&mut made.nodes, 0, usize::MAX);
     // Room for all at once: to grow would take a second copy. Only where parts are made anew the sizes are others.
     let sizes = threads::map(0..pending.len(), 1, |i| collapse.size(&pending[i].source));
-    made.nodes.reserve_exact(sizes.iter().map(|size| size[0]).sum());
-    made.blocks.reserve_exact(sizes.iter().map(|size| size[1]).sum());
+    reserve(&mut made.nodes, sizes.iter().map(|size| size[0]).sum())?;
+    reserve(&mut made.blocks, sizes.iter().map(|size| size[1]).sum())?;
     while !pending.is_empty() {
         let rest = pending.split_off(pending.len().min(8 * threads::count()));
         let parts =

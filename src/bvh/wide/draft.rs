@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use crate::bvh::Bvh;
-use crate::bvh::build::{Draft, Record};
+use crate::bvh::build::{Draft, Record, room};
+use crate::bvh::{BuildError, Bvh};
 use crate::geom::{Aabb, Mesh, Triangle, Vector};
 use crate::order::Side;
 use crate::tree::{Node, Topology};
@@ -47,8 +47,8 @@ enum Below {
 }
 
 /// That of a binary hierarchy, whose leaves are halved until they hold one triangle.
-pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Draft {
-    let mut nodes = Vec::with_capacity(2 * bvh.triangles().len() - 1);
+pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Draft, BuildError> {
+    let mut nodes = room(2 * bvh.triangles().len() - 1)?;
     nodes.push(Record::NONE);
     let mut pending = vec![(Below::Node(bvh.root()), bvh.bounds(), 0)];
     while let Some((below, aabb, place)) = pending.pop() {
@@ -81,5 +81,5 @@ pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Draft {
         let [(left, left_box), (right, right_box)] = halves;
         pending.extend([(right, right_box, first + 1), (left, left_box, first)]);
     }
-    Draft::counted(nodes, bvh.duplicates() > 0)
+    Ok(Draft::counted(nodes, bvh.duplicates() > 0))
 }

@@ -5,11 +5,12 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use fearless_simd::{Level, Select, Simd, SimdBase, f32x8};
 
 use super::{CUT, WideOptions};
-use crate::bvh::build::{Draft, Record};
+use crate::bvh::BuildError;
+use crate::bvh::build::{Draft, Record, room};
 use crate::geom::lanes::{levels, vectorize};
 use crate::threads;
 
-/// The cheapest forests below each node of a tree, by the number of their roots.
+/// The cheapest forests below each node of a tree, by the number of their roots. `[BUILD-6]`
 ///
 /// Ylitie, Karras & Laine 2017, section 4. Of a node and i from 1 to A, the forest of at most i roots that cost least:
 /// with one root, a leaf, or an inner node over the forest of at most A below the two children together; with more, one
@@ -33,8 +34,9 @@ type Costs = [f32; 8];
 const INNER: usize = 7;
 
 impl<'a, const A: usize> Programme<'a, A> {
-    pub(super) fn of(draft: &'a Draft, options: &WideOptions) -> Self {
-        let decisions = (0..draft.nodes.len() / 2).map(|_| AtomicU64::new(0)).collect();
+    pub(super) fn of(draft: &'a Draft, options: &WideOptions) -> Result<Self, BuildError> {
+        let mut decisions = room(draft.nodes.len() / 2)?;
+        decisions.resize_with(draft.nodes.len() / 2, AtomicU64::default);
         let programme = Self { draft, options: *options, level: levels()[0].1, decisions };
         // The subtrees that are short are for all threads. Then comes what is above them.
         let (mut above, mut short, mut pending) = (Vec::new(), Vec::new(), vec![0]);
@@ -58,7 +60,7 @@ impl<'a, const A: usize> Programme<'a, A> {
         vectorize!(programme.level, simd => programme.fold(simd, &mut memory, |node| {
             if node.count() > CUT { None } else { costs.next_back() }
         }));
-        programme
+        Ok(programme)
     }
 
     #[inline(always)]
