@@ -31,8 +31,13 @@ fn check<const N: usize>(items: &[Record]) {
         let mut items = items.to_vec();
         let [boxes, centroids] = vectorize!(level, simd => extents(simd, &items));
         let scale = Scale::new(&centroids, N);
-        let border = vectorize!(level, simd => Bins::<N>::of(simd, &items, &scale).cheapest(simd, items.len()));
-        let border = border.expect("a border");
+        let bins = vectorize!(level, simd => Bins::<N>::of(simd, &items, &scale));
+        for (axis, bin) in (0..3).flat_map(|axis| (1..N).map(move |bin| (axis, bin))) {
+            let border = vectorize!(level, simd => bins.border(simd, axis, bin));
+            let (left, _) = vectorize!(level, simd => border.part(simd, &mut items.clone(), &scale));
+            assert_eq!(left, border.left, "{name} {axis} {bin}");
+        }
+        let border = vectorize!(level, simd => bins.cheapest(simd, items.len())).expect("a border");
         let (left, of_sides) = vectorize!(level, simd => border.part(simd, &mut items, &scale));
         assert_eq!(left, border.left, "{name}");
         let sides = items.split_at(left);
