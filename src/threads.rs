@@ -83,7 +83,9 @@ pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
 
 /// What `f` makes of each index, in order. A thread takes at least `least` at once.
 pub(crate) fn map<A: Send>(range: Range<usize>, least: usize, f: impl Fn(usize) -> A + Sync + Send) -> Vec<A> {
-    map_with(range, least, || (), |(), i| f(i))
+    let mut all = Vec::new();
+    map_into(&mut all, range, least, f);
+    all
 }
 
 /// [`map`] into an empty vector, which does not grow if it has room for all.

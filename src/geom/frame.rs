@@ -156,7 +156,7 @@ fn scale_of(radius: f64) -> i32 {
 
 /// The `e` with which a finite magnitude is from 2^e to 2^(e + 1); -1074 for 0.
 #[inline]
-pub(super) fn exponent_of(x: f64) -> i32 {
+pub(crate) fn exponent_of(x: f64) -> i32 {
     let exponent = |x: f64| (x.to_bits() >> 52 & 0x7ff) as i32 - 1023;
     if x >= f64::MIN_POSITIVE { exponent(x) } else { (exponent(x * power_of_two(52)) - 52).max(-1074) }
 }

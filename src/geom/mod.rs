@@ -29,7 +29,7 @@ pub use enclosed_ray::EnclosedRay;
 pub use environment::{EnvironmentError, check_environment};
 pub use exact_ray::{Ends, ExactPoint, ExactRay};
 pub use frame::Frame;
-pub(crate) use frame::power_of_two;
+pub(crate) use frame::{exponent_of, power_of_two};
 pub use interval::Interval;
 pub use kernel::Kernel;
 pub use mesh::{MAX_COUNT, Mesh, MeshError};

@@ -16,18 +16,18 @@ pub(in crate::bvh) struct Draft {
     pub(in crate::bvh) nodes: Vec<Record>,
     /// Whether there may be several nodes for one primitive, each of a part of it.
     pub(in crate::bvh) has_parts: bool,
-    /// The same nodes with their boxes, where those of `nodes` are of another size.
+    /// The nodes with their own boxes, if those in `nodes` are scaled.
     pub(super) unscaled: Option<Vec<Record>>,
 }
 
-/// What becomes a leaf.
+/// Which nodes become leaves.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Leaves {
-    /// What fits in one and costs less so.
+    /// Those whose primitives fit in a leaf and are tested for less there.
     Cheapest,
-    /// What fits in one.
+    /// Those whose primitives fit in a leaf.
     Full,
-    /// What is at this depth.
+    /// Those at this depth.
     At(u32),
 }
 
@@ -91,7 +91,7 @@ impl Draft {
     /// The primitives below a node, from left to right; each once, and in order where there are parts.
     fn prims(&self, place: u32, prims: &mut Vec<u32>) {
         let start = prims.len();
-        self.leaves(place, |leaf| prims.push(leaf.first()));
+        self.leaves(place, |leaf| prims.push(self.node(leaf).first()));
         if self.has_parts {
             let mut own = prims.split_off(start);
             own.sort_unstable();
@@ -100,12 +100,12 @@ impl Draft {
         }
     }
 
-    /// The leaves below a node, from left to right.
-    pub(in crate::bvh) fn leaves(&self, place: u32, mut visit: impl FnMut(&Record)) {
+    /// Calls `visit` with the leaves below a node, from left to right.
+    pub(in crate::bvh) fn leaves(&self, place: u32, mut visit: impl FnMut(u32)) {
         let mut pending = vec![place];
         while let Some(place) = pending.pop() {
             let node = self.node(place);
-            if node.is_leaf() { visit(node) } else { pending.extend([node.first() + 1, node.first()]) }
+            if node.is_leaf() { visit(place) } else { pending.extend([node.first() + 1, node.first()]) }
         }
     }
 
@@ -204,7 +204,7 @@ impl Layout<'_> {
             }
     }
 
-    /// What a node costs that fits in a leaf, in triangle tests times its half area, and whether it costs that as a leaf.
+    /// The cost of a node whose primitives fit in a leaf, in tests times half area, and whether a leaf is the cheapest.
     fn cost(&self, node: &Record) -> (f32, bool) {
         let as_leaf = node.half_area() * node.count() as f32;
         if node.is_leaf() {

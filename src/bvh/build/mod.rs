@@ -1,6 +1,7 @@
 //! Builders. Each makes a [`Draft`] with a node for each primitive; the layout is one for all.
 //!
-//! The same primitives and options give the same tree, on any number of threads and any machine. `[BUILD-1]` `[BUILD-2]`
+//! The same primitives and options give the same tree, on any number of threads and any machine. `[BUILD-1]`
+//! `[BUILD-2]`
 
 mod bins;
 mod draft;

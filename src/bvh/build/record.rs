@@ -4,7 +4,7 @@ use fearless_simd::{Simd, SimdBase, f32x8};
 use glam::{Vec3, Vec3A};
 
 use super::{BuildError, Degenerate, Primitives, room};
-use crate::geom::{Aabb, power_of_two};
+use crate::geom::{Aabb, exponent_of, power_of_two};
 use crate::threads;
 use crate::tree::Node;
 
@@ -29,7 +29,7 @@ const USUAL: u32 = 64 << 23;
 pub(super) const EMPTY: Planes = [f32::INFINITY; 8];
 
 /// Items that one task deals with before another thread may help.
-pub(in crate::bvh) const CHUNK: usize = 1 << 14;
+pub(super) const CHUNK: usize = 1 << 14;
 
 impl Record {
     /// What stands where there is no node.
@@ -101,7 +101,8 @@ impl Record {
 
     #[inline(always)]
     pub(in crate::bvh) fn aabb(&self) -> Aabb {
-        aabb(&self.0)
+        let [x, y, z, _, nx, ny, nz, _] = self.0;
+        Aabb { lo: Vec3::new(x, y, z), hi: Vec3::new(0.0 - nx, 0.0 - ny, 0.0 - nz) }
     }
 
     #[inline]
@@ -160,12 +161,6 @@ pub(super) fn half_area(planes: &Planes) -> f32 {
     (x + y) * z + x * y
 }
 
-#[inline(always)]
-pub(in crate::bvh) fn aabb(planes: &Planes) -> Aabb {
-    let [x, y, z, _, nx, ny, nz, _] = *planes;
-    Aabb { lo: Vec3::new(x, y, z), hi: Vec3::new(0.0 - nx, 0.0 - ny, 0.0 - nz) }
-}
-
 /// All primitives, or those that can be hit.
 pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenerate) -> Result<Vec<Record>, BuildError> {
     let n = match primitives.count() {
@@ -198,7 +193,7 @@ pub(super) fn scale(items: &mut [Record]) -> bool {
     let [reach, finite] = threads::reduce(items, CHUNK, reach_of, wider).unwrap_or_default();
     let is_usual = finite == reach && (finite == 0.0 || (SMALL..=LARGE).contains(&finite));
     if !is_usual {
-        let factor = if finite > 0.0 { power_of_two(-exponent(finite)) } else { 1.0 };
+        let factor = if finite > 0.0 { power_of_two(-exponent_of(finite.into())) } else { 1.0 };
         threads::update(items, CHUNK, |item| *item = item.scaled(factor));
     }
     !is_usual
@@ -213,11 +208,6 @@ const LARGE: f32 = power_of_two(40) as f32;
 
 fn wider(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
     [a[0].max(b[0]), a[1].max(b[1])]
-}
-
-/// Of a positive number, so that 2^`exponent` is not above it, and twice that is.
-fn exponent(x: f32) -> i32 {
-    (f64::from(x).to_bits() >> 52) as i32 - 1023
 }
 
 impl Record {

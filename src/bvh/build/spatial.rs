@@ -117,7 +117,7 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
             return None;
         }
         let extents = Extents::of(&items[..count]);
-        *node = Record::over(&extents.planes(), next as u32, count as u32);
+        *node = Record::over(&extents.boxes.planes(), next as u32, count as u32);
         let [left, right] = self.part(items, count, &extents, depth, bins);
         // The free places, by the counts.
         let spare = items.len() - left - right;
@@ -173,7 +173,7 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         }
         let range = &mut items[..count];
         object.map(|split| split.part(range)).filter(fits).unwrap_or_else(|| {
-            let left = halve(range, &extents.centroid_planes());
+            let left = halve(range, &extents.centroids.planes());
             [left, count - left]
         })
     }

@@ -6,7 +6,7 @@ use super::programme::Programme;
 use super::{BLOCK_BITS, CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
 use crate::bvh::build::{Draft, reserve};
 use crate::bvh::least::Least;
-use crate::bvh::{BuildError, BuildOptions, Bvh, SahOptions};
+use crate::bvh::{BuildError, BuildOptions, Bvh};
 use crate::geom::lanes::{Block, Precision};
 use crate::geom::{Aabb, EnvironmentError, Mesh, Region, Triangle};
 use crate::threads;
@@ -91,8 +91,7 @@ impl BuildOptions {
         mesh: &Mesh<V>,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<WideBvh<A, V>, WideError> {
-        let SahOptions { max_leaf, depth_limit } = Self::fine().sah;
-        let options = Self { sah: SahOptions { max_leaf, depth_limit }, ..*self };
+        let options = Self { sah: Self::fine().sah, ..*self };
         threads::guarded(|| {
             let (draft, dropped) = options.draft(mesh, progress)?;
             let region = Region::within(*mesh.frame(), &draft.aabb(0));
@@ -145,7 +144,7 @@ fn collapse<const A: usize, V: Precision>(
 ) -> Result<Made<V, A>, WideError> {
     const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
     let programme = Programme::of(draft, options)?;
-    let collapse = Collapse { shapes, draft, programme: &programme };
+    let collapse = Collapse { shapes, programme };
     let root = Pending { source: Source::Node(0), index: 0, level: 0 };
     let (mut made, mut pending) = collapse.below(root, CUT);
     name_ancestors(&mut made.nodes, 0, usize::MAX);
@@ -167,8 +166,7 @@ fn collapse<const A: usize, V: Precision>(
 
 struct Collapse<'a, H, const A: usize> {
     shapes: &'a H,
-    draft: &'a Draft,
-    programme: &'a Programme<'a, A>,
+    programme: Programme<'a, A>,
 }
 
 /// What an inner node is made of.
@@ -205,6 +203,10 @@ struct Made<V: Precision, const A: usize> {
 }
 
 impl<const A: usize, H> Collapse<'_, H, A> {
+    fn draft(&self) -> &Draft {
+        self.programme.draft
+    }
+
     /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.
     fn below<V: Precision>(&self, root: Pending, cut: u32) -> (Made<V, A>, Vec<Pending>)
     where
@@ -245,8 +247,8 @@ impl<const A: usize, H> Collapse<'_, H, A> {
         H: Shapes<V>,
     {
         held.clear();
-        self.draft.leaves(place, |leaf| held.push(leaf.first()));
-        if self.draft.has_parts {
+        self.draft().leaves(place, |leaf| held.push(self.draft().node(leaf).first()));
+        if self.draft().has_parts {
             held.sort_by_key(|&leaf| self.shapes.prim(leaf));
             held.dedup_by_key(|leaf| self.shapes.prim(*leaf));
         }
@@ -264,7 +266,7 @@ impl<const A: usize, H> Collapse<'_, H, A> {
 
     fn count(&self, source: &Source) -> u32 {
         match source {
-            Source::Node(place) => self.draft.node(*place).count(),
+            Source::Node(place) => self.draft().node(*place).count(),
             Source::Leaves(leaves) => leaves.len() as u32,
         }
     }
@@ -277,7 +279,7 @@ impl<const A: usize, H> Collapse<'_, H, A> {
             let (children, count) = self.programme.children(place);
             for &child in &children[..count] {
                 if self.programme.is_leaf(child) {
-                    size[1] += self.draft.node(child).count().div_ceil(4) as usize;
+                    size[1] += self.draft().node(child).count().div_ceil(4) as usize;
                 } else {
                     size[0] += 1;
                     pending.push(child);
@@ -303,30 +305,22 @@ impl<const A: usize, H> Collapse<'_, H, A> {
                 let left = max_level::<A>() - level;
                 let (children, count) = self.programme.children(place);
                 let fits = |&child: &u32| {
-                    self.programme.is_leaf(child) || left > 0 && flattest::<A>(self.draft.node(child).count()) < left
+                    self.programme.is_leaf(child) || left > 0 && flattest::<A>(self.draft().node(child).count()) < left
                 };
                 if children[..count].iter().all(fits) {
-                    children[..count].iter().for_each(|&child| add(self.draft.aabb(child), Source::Node(child)));
+                    children[..count].iter().for_each(|&child| add(self.draft().aabb(child), Source::Node(child)));
                     return made;
                 }
-                self.leaves_below(place)
+                let mut leaves = Vec::new();
+                self.draft().leaves(place, |leaf| leaves.push(leaf));
+                leaves
             }
         };
         for group in leaves.chunks(leaves.len().div_ceil(A).max(1)) {
-            let aabb = group.iter().fold(Aabb::EMPTY, |all, &leaf| all.union(self.draft.aabb(leaf)));
+            let aabb = group.iter().fold(Aabb::EMPTY, |all, &leaf| all.union(self.draft().aabb(leaf)));
             add(aabb, if let &[leaf] = group { Source::Node(leaf) } else { Source::Leaves(group.to_vec()) });
         }
         made
-    }
-
-    /// The leaves of the draft below a node, from left to right.
-    fn leaves_below(&self, place: u32) -> Vec<u32> {
-        let (mut leaves, mut pending) = (Vec::new(), vec![place]);
-        while let Some(place) = pending.pop() {
-            let node = self.draft.node(place);
-            if node.is_leaf() { leaves.push(place) } else { pending.extend([node.first() + 1, node.first()]) }
-        }
-        leaves
     }
 }
 

@@ -134,7 +134,7 @@ macro_rules! vectorize {
 pub(crate) use vectorize;
 
 /// Runs it in a function of its own. The baseline's instructions are those of the caller too, so without this the caller
-/// would hold all traversals, and save and restore their registers for each ray.
+/// would hold all copies of it, and save and restore their registers at each call.
 #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
 #[inline(never)]
 pub(crate) fn apart<R>(run: impl FnOnce() -> R) -> R {

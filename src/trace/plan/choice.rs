@@ -1,6 +1,5 @@
 //! Which tracer, and why.
 
-use crate::bvh::BuildOptions;
 use crate::wide::Method;
 
 /// One row each: the name, and why wide trees do not have it.
@@ -74,11 +73,6 @@ impl Choice {
         if self.is_wide() { Method::default().name() } else { crate::traverse::Method::default().name() }
     }
 
-    /// How its tree is built.
-    pub fn options(&self) -> BuildOptions {
-        BuildOptions::default()
-    }
-
     /// Why it is this one, a sentence each.
     pub fn reasons(&self) -> Vec<&'static str> {
         if self.is_wide() { WIDE.to_vec() } else { self.needs.iter().map(|need| need.reason()).collect() }
@@ -95,7 +89,7 @@ const WIDE: [&str; 3] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bvh::WideBvh;
+    use crate::bvh::{Bvh, WideBvh};
     use crate::generate::procedural;
     use crate::trace::{BinaryTracer, Tracer};
 
@@ -104,12 +98,12 @@ mod tests {
         let mesh = procedural::soup(1, 200);
         let (wide, tracer) = (Choice::for_needs(&[]), Tracer::of(&mesh).expect("a tree"));
         assert_eq!((wide.tracer(), wide.method()), ("Tracer", tracer.method().name()));
-        let built: WideBvh = wide.options().build_wide(&mesh).expect("a wide tree");
+        let built = WideBvh::build(&mesh).expect("a wide tree");
         assert_eq!(built.to_bytes(), tracer.bvh().to_bytes());
         assert!(!Method::default().needs_hash() && wide.reasons() == WIDE);
         for need in Need::ALL {
             let binary = Choice::for_needs(&[need]);
-            let bvh = binary.options().build(&mesh).expect("a tree");
+            let bvh = Bvh::build(&mesh).expect("a tree");
             let tracer = BinaryTracer::new(&bvh);
             assert_eq!((binary.tracer(), binary.method()), ("BinaryTracer", tracer.method().name()), "{need:?}");
             assert_eq!(binary.reasons(), [need.reason()]);

@@ -5,7 +5,7 @@ use crate::generate::draw::Draw;
 use crate::geom::Aabb;
 use crate::geom::lanes::{levels, vectorize};
 
-/// What is below the nodes at a place: the boxes that the cheapest merges have, and the items, each once.
+/// Checks boxes and counts below a pair, notes the items there, and returns the box of all.
 fn check(nodes: &[Record], pair: usize, seen: &mut Vec<u32>) -> Planes {
     let [left, right] = [nodes[pair], nodes[pair + 1]].map(|node| {
         if node.is_leaf() {

@@ -21,14 +21,6 @@ impl Extents {
         }
         Self { boxes, centroids }
     }
-
-    pub(super) fn planes(&self) -> Planes {
-        self.boxes.planes()
-    }
-
-    pub(super) fn centroid_planes(&self) -> Planes {
-        self.centroids.planes()
-    }
 }
 
 /// A box while it grows, in SIMD registers.
@@ -83,7 +75,8 @@ impl Spread {
         Aabb { lo: self.lo.into(), hi: self.hi.into() }
     }
 
-    fn planes(self) -> Planes {
+    /// As a record has them.
+    pub(super) fn planes(self) -> Planes {
         *Record::item(&self.aabb(), 0).planes()
     }
 }
