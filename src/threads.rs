@@ -138,12 +138,49 @@ pub(crate) fn reduce<T: Sync, A: Send>(
     reduced
 }
 
+/// Appends copies of all items of some parts.
+pub(crate) fn append<T: Copy + Send + Sync>(all: &mut Vec<T>, parts: &[&[T]]) {
+    #[cfg(feature = "parallel")]
+    {
+        let sum = |sum: &mut usize, part: &&[T]| {
+            *sum += part.len();
+            Some(*sum)
+        };
+        let ends: Vec<_> = parts.iter().scan(0, sum).collect();
+        // A task takes items that follow each other, so it looks for their part from that of the one before.
+        let begin = || {
+            floats::probe();
+            0
+        };
+        let item = |at: &mut usize, i: usize| {
+            while ends[*at] <= i {
+                *at += 1;
+            }
+            let part = parts[*at];
+            part[part.len() - (ends[*at] - i)]
+        };
+        let count = ends.last().copied().unwrap_or(0);
+        all.par_extend((0..count).into_par_iter().with_min_len(1 << 8).map_init(begin, item));
+    }
+    #[cfg(not(feature = "parallel"))]
+    parts.iter().for_each(|part| all.extend_from_slice(part));
+}
+
 /// Changes each item. A thread takes at least `least` at once.
 pub(crate) fn update<T: Send>(items: &mut [T], least: usize, f: impl Fn(&mut T) + Sync + Send) {
     #[cfg(feature = "parallel")]
     items.par_iter_mut().with_min_len(least).for_each_init(floats::probe, |(), item| f(item));
     #[cfg(not(feature = "parallel"))]
     items.iter_mut().for_each(f);
+}
+
+/// The same, by this thread alone if the floats of one that helps are of no use. To change an item twice must be as to
+/// change it once.
+#[cfg(feature = "rays")]
+pub(crate) fn update_anyway<T: Send>(items: &mut [T], least: usize, f: impl Fn(&mut T) + Sync + Send) {
+    if guarded(|| update(items, least, &f)).is_err() {
+        items.iter_mut().for_each(f);
+    }
 }
 
 /// Sorts; equal items may change places, so there should be none that differ.

@@ -13,7 +13,7 @@ use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
 use stackless_bvh::wide;
 use stackless_check::{
-    Exactly, Flat, Heading, Hierarchies, Leg, Shape, check_held, check_instances, check_path, check_tree,
+    Exactly, Flat, Heading, Hierarchies, Leg, Shape, check_held, check_instances, check_path, check_trees,
 };
 
 use super::draw::{Draw, patched};
@@ -24,25 +24,20 @@ pub(crate) fn builders(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let options = options(&mut draw);
     if draw.below(4) == 1 {
-        return builders_64(&mut draw, options);
+        let Some(mesh) = mesh_64(&mut draw, 6) else { return };
+        let rays: Vec<_> = (0..3).filter_map(|i| draw.ray_64(mesh.triangle(i % mesh.triangles().len()))).collect();
+        return check_builders(&mesh, &rays, options);
     }
     let Some(mesh) = draw.mesh(12) else { return };
     let rays = draw.rays(&mesh, 4);
-    for builder in Builder::ALL {
-        let options = BuildOptions { builder, ..options };
-        if let Some(bvh) = built(options.build(&mesh), options) {
-            right(check_tree(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
-        }
-    }
+    check_builders(&mesh, &rays, options);
 }
 
-fn builders_64(draw: &mut Draw<'_>, options: BuildOptions) {
-    let Some(mesh) = mesh_64(draw, 6) else { return };
-    let rays: Vec<_> = (0..3).filter_map(|i| draw.ray_64(mesh.triangle(i % mesh.triangles().len()))).collect();
+fn check_builders<V: Precision>(mesh: &Mesh<V>, rays: &[Ray<V>], options: BuildOptions) {
     for builder in Builder::ALL {
         let options = BuildOptions { builder, ..options };
-        if let Some(bvh) = built(options.build(&mesh), options) {
-            right(check_tree(&bvh, &mesh, &rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
+        if let Some((bvh, wide)) = built(mesh, options) {
+            right(check_trees(&bvh, &wide, mesh, rays), format_args!("{options:?}\n{mesh:?}\n{rays:?}"));
         }
     }
 }
@@ -53,19 +48,23 @@ fn mesh_64(draw: &mut Draw<'_>, most: u64) -> Option<Mesh<DVec3>> {
     Mesh::new((0..count).map(|_| draw.point_64()).collect(), triangles).ok()
 }
 
-/// A hierarchy that takes on other vertices.
+/// Hierarchies that take on other vertices. `[BUILD-7]`
 pub(crate) fn refit(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(&mut draw) };
     let Some(mesh) = draw.mesh(8) else { return };
     let Ok(moved) = Mesh::new(draw.vertices(mesh.triangles()), mesh.triangles().to_vec()) else { return };
     let rays = draw.rays(&moved, 4);
-    let Some(mut bvh) = built(options.build(&mesh), options) else { return };
-    let before = format!("{bvh:?}");
-    if bvh.refit(&moved).is_ok() {
-        right(check_tree(&bvh, &moved, &rays), format_args!("{mesh:?}\n{moved:?}\n{rays:?}"));
+    let Some((mut bvh, mut wide)) = built(&mesh, options) else { return };
+    let before = format!("{bvh:?} {wide:?}");
+    let refitted = [bvh.refit(&moved), wide.refit(&moved)];
+    if refitted == [Ok(()); 2] {
+        if draw.coin() {
+            wide.optimize().expect("memory");
+        }
+        right(check_trees(&bvh, &wide, &moved, &rays), format_args!("{mesh:?}\n{moved:?}\n{rays:?}"));
     } else {
-        assert_eq!(format!("{bvh:?}"), before, "a refusal changes nothing");
+        assert_eq!((refitted[0], format!("{bvh:?} {wide:?}")), (refitted[1], before), "a refusal changes nothing");
     }
 }
 
@@ -170,9 +169,9 @@ fn path(draw: &mut Draw<'_>) {
     let method = draw.one_of(Method::ALL);
     let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(draw) };
     let Some(mesh) = draw.mesh(6) else { return };
-    let Some(bvh) = built(options.build(&mesh), options) else { return };
+    let Some((bvh, wide)) = built(&mesh, options) else { return };
     let mut assembly = Assembly::new();
-    let wide = if draw.coin() { WideBvh::of(&bvh).ok() } else { None };
+    let wide = draw.coin().then_some(wide);
     let is_wide = wide.is_some();
     let object = match wide {
         Some(wide) => assembly.add_wide(wide),
@@ -227,13 +226,13 @@ fn options(draw: &mut Draw<'_>) -> BuildOptions {
     }
 }
 
-/// A tree, or nothing where the options forbid one.
-fn built<S>(result: Result<Bvh<S>, BuildError>, options: BuildOptions) -> Option<Bvh<S>> {
+/// Trees of two and of eight children, or nothing where the options forbid the former.
+fn built<V: Precision>(mesh: &Mesh<V>, options: BuildOptions) -> Option<(Bvh<Triangle<V>>, WideBvh<8, V>)> {
     let SahOptions { max_leaf, depth_limit } = options.sah;
-    match result {
+    match options.build(mesh) {
         Ok(bvh) => {
             assert!(bvh.depth() <= depth_limit, "deeper than {depth_limit}: {options:?}");
-            Some(bvh)
+            Some((bvh, options.build_wide(mesh).unwrap_or_else(|error| panic!("{error}: {options:?}"))))
         }
         Err(BuildError::ZeroLeafSize) if max_leaf == 0 => None,
         Err(BuildError::DepthLimit { .. }) if depth_limit < 8 => None,

@@ -92,10 +92,10 @@ impl Scene {
         PyBytes::new(py, &bytes)
     }
 
-    fn refit(&mut self, py: Python<'_>, vertices: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn refit(&mut self, py: Python<'_>, vertices: &Bound<'_, PyAny>, optimize: bool) -> PyResult<()> {
         match &mut self.held {
-            Either::Single(held) => held.refit(py, vertices),
-            Either::Double(held) => held.refit(py, vertices),
+            Either::Single(held) => held.refit(py, vertices, optimize),
+            Either::Double(held) => held.refit(py, vertices, optimize),
         }
     }
 
@@ -250,8 +250,8 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         Ok(Self { mesh: Arc::new(mesh), bvh, edges: OnceLock::new() })
     }
 
-    /// Nothing has changed after an error.
-    fn refit(&mut self, py: Python<'_>, vertices: &Bound<'_, PyAny>) -> PyResult<()> {
+    /// Nothing has changed after an error, but for one of optimizing.
+    fn refit(&mut self, py: Python<'_>, vertices: &Bound<'_, PyAny>, optimize: bool) -> PyResult<()> {
         let (vertices, count) = (vertices_of::<S>(vertices)?, self.mesh.vertices().len());
         if vertices.len() != count {
             return Err(refused(format!("vertices: {} rows, expected {count} as the scene has", vertices.len())));
@@ -260,7 +260,7 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
             let mesh = mesh_of::<S>(vertices, self.mesh.triangles().to_vec())?;
             self.bvh.refit(&mesh)?;
             (self.mesh, self.edges) = (Arc::new(mesh), OnceLock::new());
-            Ok(())
+            if optimize { self.bvh.optimize() } else { Ok(()) }
         })
     }
 

@@ -54,6 +54,7 @@ pub(crate) trait Space: Sized + Send + Sync {
     /// `tell` hears how many faces have found their place since it was last called.
     fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
+    fn optimize(&mut self) -> PyResult<()>;
     fn to_bytes(&self) -> Vec<u8>;
     /// The hierarchy that bytes are, if it is one over this mesh.
     fn from_bytes(bytes: &[u8], mesh: &Mesh<Self::Vector>) -> PyResult<Self>;
@@ -87,6 +88,10 @@ where
 
     fn refit(&mut self, mesh: &Mesh<V>) -> PyResult<()> {
         self.refit(mesh).map_err(of_refit)
+    }
+
+    fn optimize(&mut self) -> PyResult<()> {
+        self.optimize().map_err(of_wide)
     }
 
     fn to_bytes(&self) -> Vec<u8> {

@@ -217,6 +217,8 @@ def test_refit_moves_the_vertices_or_changes_nothing(dtype):
     assert np.array_equal(scene.vertices, moved)
     after = scene.closest(origins, directions)
     assert same(after, Scene(moved, faces).closest(origins, directions)) and not same(after, before)
+    scene.refit(moved, optimize=True)
+    assert same(scene.closest(origins, directions), after)
     for bad in (moved[1:], np.where(np.arange(len(moved))[:, None] == 3, dtype(np.nan), moved)):
         with pytest.raises(ValueError):
             scene.refit(bad)

@@ -96,7 +96,7 @@ fn told<A, E: ToString>(made: Result<A, E>) -> Result<(), String> {
 
 /// What makes something out of numbers, and refuses to do that on a thread that is unfit: constructors by the file that
 /// they are in, then methods.
-const CHECKED: [(&str, Make); 23] = [
+const CHECKED: [(&str, Make); 24] = [
     ("bvh/build/mod.rs: median", |well| told(Bvh::median(&well.mesh, 2))),
     ("bvh/build/mod.rs: sah", |well| told(Bvh::sah(&well.mesh, SahOptions::default()))),
     ("bvh/build/mod.rs: build", |well| told(Bvh::build(&well.mesh))),
@@ -123,6 +123,7 @@ const CHECKED: [(&str, Make); 23] = [
     }),
     ("Bvh::refit", |well| told(well.bvh.clone().refit(&well.mesh))),
     ("WideBvh::refit", |well| told(well.wide.clone().refit(&well.mesh))),
+    ("WideBvh::optimize", |well| told(well.wide.clone().optimize())),
     ("Tracer::closest_parallel", |well| told(Tracer::new(&well.wide).closest_parallel(&[]))),
 ];
 

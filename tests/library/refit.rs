@@ -5,7 +5,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{Bounded, BuildOptions, Builder, Bvh, Degenerate, RefitError, SahOptions, validate};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Aabb, Mesh, Region};
-use stackless_check::check_tree;
+use stackless_check::check_trees;
 
 /// The same triangles, bent and stretched.
 fn deformed(mesh: &Mesh) -> Mesh {
@@ -13,6 +13,7 @@ fn deformed(mesh: &Mesh) -> Mesh {
     Mesh::new(mesh.vertices().iter().map(bent).collect(), mesh.triangles().to_vec()).expect("a mesh")
 }
 
+/// [BUILD-7]
 #[test]
 fn a_deformed_mesh_is_hit_where_it_is() {
     let mesh = procedural::soup(5, 300);
@@ -22,11 +23,15 @@ fn a_deformed_mesh_is_hit_where_it_is() {
         let mut bvh = options.build(&mesh).expect("a tree");
         assert!(validate(&bvh, &moved).is_err());
         bvh.refit(&moved).expect("the same triangles");
+        let mut wide = options.build_wide(&mesh).expect("a tree");
+        wide.refit(&moved).expect("the same triangles");
         assert_eq!(bvh.bounds(), Aabb::of(moved.vertices()));
         assert_eq!(bvh.region(), &Region::of(&bvh.bounds()));
         let rays = procedural::rays(&moved, 3, 200);
-        let hits = check_tree(&bvh, &moved, &rays).expect("the truth");
+        let hits = check_trees(&bvh, &wide, &moved, &rays).expect("the truth");
         assert!(hits > 20, "{hits}");
+        wide.optimize().expect("memory");
+        assert_eq!(check_trees(&bvh, &wide, &moved, &rays).expect("the truth"), hits);
     }
 }
 

@@ -5,7 +5,7 @@
 //! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 //!
 //! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`],
-//! [`check_slabs`], [`check_tree`], [`Flat`]. Each takes its inputs from whoever drives it.
+//! [`check_slabs`], [`check_trees`], [`Flat`]. Each takes its inputs from whoever drives it.
 
 #![forbid(unsafe_code)]
 
@@ -52,7 +52,7 @@ pub use shrink::shrink;
 pub use stress::{Errors, Stress, floats_between};
 pub use tables::{TableFault, check_table, check_table_bytes};
 pub use tally::{Count, Tally};
-pub use trees::{TreeFault, check_held, check_nearest, check_tree, nearest};
+pub use trees::{TreeFault, check_held, check_nearest, check_trees, nearest};
 pub use watch::{Expected, Fault, Visit, Watch};
 pub use watched::{Reads, Steps, Watched};
 pub use wide::{WideCase, WideFault};

@@ -62,19 +62,23 @@ pub enum TreeFault {
     Place(#[from] GeometryFault),
 }
 
-/// Checks that a hierarchy is sound and that of the mesh, and that by `hashed`, and in a wide tree that is made of it, the
+/// Checks that two hierarchies are sound and those of the mesh, and that by `hashed` in the binary one and in the wide one the
 /// closest hit, any hit and all hits of each ray are those of rational arithmetic, in every bit. `[DET-1]`
 ///
 /// Returns the number of rays that hit.
 ///
 /// # Errors
 /// The first fault.
-pub fn check_tree<V: Precision>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>, rays: &[Ray<V>]) -> Result<usize, TreeFault> {
+pub fn check_trees<V: Precision>(
+    bvh: &Bvh<Triangle<V>>,
+    wide: &WideBvh<8, V>,
+    mesh: &Mesh<V>,
+    rays: &[Ray<V>],
+) -> Result<usize, TreeFault> {
     validate(bvh, mesh)?;
-    let wide = WideBvh::of(bvh)?;
     wide.validate(mesh)?;
     let prims: Vec<_> = (0..mesh.triangles().len() as u32).collect();
-    check_rays(bvh, &wide, mesh, &prims, rays)
+    check_rays(bvh, wide, mesh, &prims, rays)
 }
 
 /// The same for a hierarchy of unknown origin, whose triangles are taken for the mesh. `[FILE-5]`

@@ -1,8 +1,9 @@
 //! A tree with a node for each primitive, of which binary hierarchies and wide ones are made.
 
 use super::record::{CHUNK, Record};
+use super::reinsert::reinsert;
 use super::sah::NODE_COST;
-use super::{BuildError, Primitives, SahOptions, filled, reserve, room};
+use super::{BuildError, Builder, Primitives, SahOptions, filled, reserve, room};
 use crate::bvh::least::Least;
 use crate::bvh::{Bvh, BvhNode, BvhTree, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
@@ -73,13 +74,24 @@ impl Draft {
         Ok(())
     }
 
-    /// The same tree with the boxes of these primitives.
-    pub(super) fn fitted<P: Primitives + ?Sized>(mut self, primitives: &P) -> Result<Self, BuildError> {
+    /// With nodes moved, as many as this builder moves.
+    pub(in crate::bvh) fn improved(
+        mut self,
+        builder: Builder,
+        sah: SahOptions,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, BuildError> {
+        reinsert(&mut self.nodes, builder.rounds(), sah, progress)?;
+        Ok(self)
+    }
+
+    /// The same tree with the boxes that these items have.
+    pub(in crate::bvh) fn fitted(mut self, aabb: impl Fn(u32) -> Aabb) -> Result<Self, BuildError> {
         let mut nodes = filled(Record::NONE, self.nodes.len())?;
         self.upward(|place| {
             let first = self.node(place).first();
             nodes[place as usize] = if self.node(place).is_leaf() {
-                Record::item(&primitives.aabb(first as usize), first)
+                Record::item(&aabb(first), first)
             } else {
                 Record::parent([0, 1].map(|side| &nodes[(first + side) as usize]), first)
             };

@@ -10,7 +10,7 @@ pub(super) const MAX: usize = 8;
 /// Writes the nodes below the parent of 2 to [`MAX`] items, where `from` is the place of the first of `nodes`: the
 /// parent's children, then all below the left one, then all below the right one.
 #[inline(always)]
-pub(super) fn merge<S: Simd>(simd: S, items: &[Record], nodes: &mut [Record], from: u32) {
+pub(in crate::bvh) fn merge<S: Simd>(simd: S, items: &[Record], nodes: &mut [Record], from: u32) {
     match items {
         [a, b] => nodes[..2].copy_from_slice(&[*a, *b]),
         [a, b, c] => {

@@ -13,7 +13,8 @@ mod spatial;
 mod top_down;
 
 pub(super) use draft::Draft;
-pub(super) use record::Record;
+pub(super) use merge::merge;
+pub(super) use record::{Record, scale};
 pub use sah::SahOptions;
 pub use spatial::SpatialOptions;
 
@@ -77,10 +78,10 @@ pub(super) fn reserve<T>(all: &mut Vec<T>, count: usize) -> Result<(), BuildErro
     all.try_reserve_exact(count).map_err(|_| BuildError::Memory(count.saturating_mul(size_of::<T>())))
 }
 
-/// So many of the same.
-pub(super) fn filled<T: Clone>(value: T, count: usize) -> Result<Vec<T>, BuildError> {
+/// So many of the same, written by all threads: the first touch of memory takes time.
+pub(super) fn filled<T: Copy + Send + Sync>(value: T, count: usize) -> Result<Vec<T>, BuildError> {
     let mut made = room(count)?;
-    made.resize(count, value);
+    threads::map_into(&mut made, 0..count, record::CHUNK, |_| value);
     Ok(made)
 }
 
@@ -238,9 +239,9 @@ impl BuildOptions {
             };
             TopDown { options: sah, by_area, level, progress }.build(items)?
         };
-        let mut draft = Draft { nodes, has_parts: is_spatial, unscaled: None };
-        reinsert::reinsert(&mut draft.nodes, self.builder.rounds(), sah, progress)?;
-        Ok((if is_scaled { draft.fitted(primitives)? } else { draft }, dropped))
+        let draft = Draft { nodes, has_parts: is_spatial, unscaled: None }.improved(self.builder, sah, progress)?;
+        let aabb = |prim| primitives.aabb(prim as usize);
+        Ok((if is_scaled { draft.fitted(aabb)? } else { draft }, dropped))
     }
 
     /// What becomes a leaf of so many items.

@@ -57,6 +57,12 @@ impl Record {
         Self::over(&left.union(right), first, left.count() + right.count())
     }
 
+    /// An item around others.
+    #[inline(always)]
+    pub(in crate::bvh) fn around(items: &[Self], first: u32) -> Self {
+        Self::over(&items.iter().fold(EMPTY, |all, item| union(&all, &item.0)), first, 1)
+    }
+
     /// The index of a primitive, or the place of an inner node's left child.
     #[inline(always)]
     pub(in crate::bvh) fn first(&self) -> u32 {
@@ -180,15 +186,16 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenera
         items.push(Record::item(&primitives.aabb(0), 0));
     }
     // A NaN would spoil the boxes of others, an empty box the cuts.
-    match items.iter().find(|item| item.is_empty()) {
-        Some(item) => Err(BuildError::NoBox(item.first())),
+    let empty = |items: &[Record]| items.iter().find(|item| item.is_empty()).map(Record::first);
+    match threads::reduce(&items, CHUNK, empty, Option::or).flatten() {
+        Some(prim) => Err(BuildError::NoBox(prim)),
         None => Ok(items),
     }
 }
 
 /// Takes boxes into a space of usual size where they are not, and says so. `[BUILD-4]` Areas of huge boxes overflow, of tiny ones
 /// they are 0, and an infinite one has no middle.
-pub(super) fn scale(items: &mut [Record]) -> bool {
+pub(in crate::bvh) fn scale(items: &mut [Record]) -> bool {
     let reach_of = |items: &[Record]| items.iter().fold([0.0; 2], |all, item| wider(all, item.reach()));
     let [reach, finite] = threads::reduce(items, CHUNK, reach_of, wider).unwrap_or_default();
     let is_usual = finite == reach && (finite == 0.0 || (SMALL..=LARGE).contains(&finite));

@@ -33,8 +33,7 @@ pub(super) fn reinsert(
     if rounds.count == 0 {
         return Ok(());
     }
-    let mut tree = Tree::of(nodes, sah)?;
-    let areas = Areas::of(tree.nodes);
+    let (mut tree, areas) = Tree::of(nodes, sah)?;
     let mut share = rounds.share;
     for _ in 0..rounds.count {
         let large = tree.large(areas.least(share));
@@ -65,15 +64,13 @@ struct Areas {
 /// Bits that are left out.
 const REST: u32 = 16;
 
+/// How many subtrees are enough work for all threads.
+const SUBTREES: usize = 256;
+
 impl Areas {
-    fn of(nodes: &[Record]) -> Self {
-        let mut counts = vec![0; 1 << (u32::BITS - REST)];
-        for node in nodes.iter().filter(|node| !node.is_none()) {
-            let area = node.half_area();
-            // That of a flat box may be -0, whose first bit is not 0.
-            counts[if area > 0.0 { area.to_bits() >> REST } else { 0 } as usize] += 1;
-        }
-        Self { counts, total: nodes.len() }
+    fn add(&mut self, area: f32) {
+        // That of a flat box may be -0, whose first bit is not 0.
+        self.counts[if area > 0.0 { area.to_bits() >> REST } else { 0 } as usize] += 1;
     }
 
     /// The area that this share of the nodes have at least, nearly.
@@ -93,14 +90,16 @@ impl Areas {
 /// of the node and its new sibling.
 struct Tree<'a> {
     nodes: &'a mut [Record],
+    /// Of each pair.
     links: Vec<Link>,
     sah: SahOptions,
 }
 
+/// What a pair knows of the node over it.
 #[derive(Clone, Copy)]
 struct Link {
     parent: u32,
-    /// Edges to the deepest leaf, where what fits in a leaf is one.
+    /// Edges from there to the deepest leaf, where what fits in a leaf is one.
     height: u32,
 }
 
@@ -120,17 +119,28 @@ fn sibling(place: u32) -> u32 {
     ((place + 1) ^ 1) - 1
 }
 
+/// The number of a pair of which this is one.
+fn pair(place: u32) -> usize {
+    place.wrapping_sub(1) as usize / 2
+}
+
 impl<'a> Tree<'a> {
-    fn of(nodes: &'a mut [Record], sah: SahOptions) -> Result<Self, BuildError> {
-        let mut tree = Self { links: filled(Link { parent: NONE, height: 0 }, nodes.len())?, nodes, sah };
-        for place in (0..tree.nodes.len()).rev() {
+    /// And the areas of its nodes.
+    fn of(nodes: &'a mut [Record], sah: SahOptions) -> Result<(Self, Areas), BuildError> {
+        let mut areas = Areas { counts: vec![0; 1 << (u32::BITS - REST)], total: nodes.len() };
+        let mut tree = Self { links: filled(Link { parent: NONE, height: 0 }, nodes.len() / 2)?, nodes, sah };
+        for place in (0..tree.nodes.len() as u32).rev() {
             // Children stand behind their parents, so their heights are known.
-            if !tree.nodes[place].is_none() {
-                tree.name_parent(place as u32);
-                tree.links[place].height = tree.height(place as u32);
+            let node = *tree.node(place);
+            if node.is_none() {
+                continue;
+            }
+            areas.add(node.half_area());
+            if !node.is_leaf() {
+                tree.links[pair(node.first())] = Link { parent: place, height: tree.height_over(&node) };
             }
         }
-        Ok(tree)
+        Ok((tree, areas))
     }
 
     fn node(&self, place: u32) -> &Record {
@@ -138,42 +148,45 @@ impl<'a> Tree<'a> {
     }
 
     fn parent(&self, place: u32) -> Option<u32> {
-        let Link { parent, .. } = self.links[place as usize];
-        (parent != NONE).then_some(parent)
+        (place > 0).then(|| self.links[pair(place)].parent)
     }
 
-    /// By those of the children.
-    fn height(&self, place: u32) -> u32 {
-        let node = self.node(place);
+    fn height(&self, node: &Record) -> u32 {
+        if node.is_leaf() { 0 } else { self.links[pair(node.first())].height }
+    }
+
+    /// That of an inner node, by those of its children.
+    fn height_over(&self, node: &Record) -> u32 {
         if node.count() <= self.sah.max_leaf {
             return 0;
         }
-        let [left, right] = [0, 1].map(|side| self.links[(node.first() + side) as usize].height);
+        let [left, right] = [0, 1].map(|side| self.height(self.node(node.first() + side)));
         1 + left.max(right)
-    }
-
-    fn name_parent(&mut self, place: u32) {
-        let node = *self.node(place);
-        if !node.is_leaf() {
-            for side in 0..2 {
-                self.links[(node.first() + side) as usize].parent = place;
-            }
-        }
     }
 
     /// All nodes that are so large: no child is larger than its parent.
     fn large(&self, least: f32) -> Vec<u32> {
-        let (mut large, mut pending) = (Vec::new(), vec![0]);
-        while let Some(place) = pending.pop() {
-            let node = self.node(place);
-            if node.half_area() >= least {
-                large.push(place);
-                if !node.is_leaf() {
-                    pending.extend([node.first() + 1, node.first()]);
-                }
-            }
+        let (mut large, mut level) = (Vec::new(), vec![0]);
+        while (1..SUBTREES).contains(&level.len()) {
+            let below = level.iter().flat_map(|&place| self.large_children(place, least)).collect();
+            large.append(&mut std::mem::replace(&mut level, below));
         }
+        let below = |i: usize| {
+            let (mut large, mut pending) = (Vec::new(), vec![level[i]]);
+            while let Some(place) = pending.pop() {
+                large.push(place);
+                pending.extend(self.large_children(place, least));
+            }
+            large
+        };
+        large.extend(threads::map(0..level.len(), 1, below).into_iter().flatten());
         large
+    }
+
+    fn large_children(&self, place: u32, least: f32) -> impl Iterator<Item = u32> {
+        let node = self.node(place);
+        let children = if node.is_leaf() { 0..0 } else { node.first()..node.first() + 2 };
+        children.filter(move |&child| self.node(child).half_area() >= least)
     }
 
     /// The best place for a node. `pending` is memory that is kept between calls.
@@ -225,7 +238,7 @@ impl<'a> Tree<'a> {
         let Some(grandparent) = self.parent(parent) else { return false };
         let beside = sibling(node);
         let Some(depth) = self.depth(target, node).filter(|&depth| depth > 0 && target != beside) else { return false };
-        let [own, others] = [node, target].map(|place| self.links[place as usize].height);
+        let [own, others] = [node, target].map(|place| self.height(self.node(place)));
         if depth + 1 + own.max(others) > self.sah.depth_limit {
             return false;
         }
@@ -266,14 +279,23 @@ impl<'a> Tree<'a> {
     fn join(&mut self, place: u32, pair: u32, a: Record, b: Record) -> Planes {
         let both = a.union(&b);
         self.put(place, Record::over(&both, pair, a.count() + b.count()));
+        self.set_height(place);
         both
     }
 
     /// Puts a node with what is below it in a place.
     fn put(&mut self, place: u32, node: Record) {
         self.nodes[place as usize] = node;
-        self.name_parent(place);
-        self.links[place as usize].height = self.height(place);
+        if !node.is_leaf() {
+            self.links[pair(node.first())].parent = place;
+        }
+    }
+
+    /// Whether it was another one.
+    fn set_height(&mut self, place: u32) -> bool {
+        let node = *self.node(place);
+        let height = self.height_over(&node);
+        std::mem::replace(&mut self.links[pair(node.first())].height, height) != height
     }
 
     fn refit_above(&mut self, place: u32) -> f64 {
@@ -284,15 +306,13 @@ impl<'a> Tree<'a> {
     fn refit(&mut self, place: u32) -> f64 {
         let (mut growth, mut next) = (0.0, Some(place));
         while let Some(place) = next {
-            let before = (*self.node(place), self.links[place as usize].height);
-            let first = before.0.first();
-            let [left, right] = [first, first + 1].map(|child| self.node(child));
-            let made = (Record::parent([left, right], first), 0);
-            self.nodes[place as usize] = made.0;
-            let made = (made.0, self.height(place));
-            self.links[place as usize].height = made.1;
-            growth += f64::from(made.0.half_area()) - f64::from(before.0.half_area());
-            next = self.parent(place).filter(|_| made.1 != before.1 || !made.0.is_same(&before.0));
+            let before = *self.node(place);
+            let first = before.first();
+            let node = Record::parent([first, first + 1].map(|child| self.node(child)), first);
+            self.nodes[place as usize] = node;
+            growth += f64::from(node.half_area()) - f64::from(before.half_area());
+            let is_higher = self.set_height(place);
+            next = self.parent(place).filter(|_| is_higher || !node.is_same(&before));
         }
         growth
     }

@@ -77,7 +77,7 @@ impl<const A: usize, V: Precision + Stored> WideBvh<A, V> {
         let (nodes, blocks) = body.split_at(node_count as usize * node_bytes::<A>());
         let mut nodes: Vec<_> = nodes.chunks_exact(node_bytes::<A>()).map(read_node).collect();
         let blocks = blocks.chunks_exact(block_bytes::<V>()).map(read_block).collect();
-        name_ancestors(&mut nodes, 0, usize::MAX);
+        name_ancestors(&mut nodes, |i| i as u32);
         let own = |node: &WideNode<A>| (0..A as u32).map(|slot| node.child_box(slot)).fold(Aabb::EMPTY, Aabb::union);
         let region = match nodes.first() {
             Some(root) if root.children != [0; A] => Region::within(frame, &own(root)),

@@ -1,9 +1,9 @@
 //! From a tree with a node for each triangle to a wide one.
 
-use super::draft::{Shapes, draft_of};
+use super::draft::{Shapes, draft_of, draft_over_leaves};
 use super::layout::assign;
 use super::programme::Programme;
-use super::{BLOCK_BITS, CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
+use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
 use crate::bvh::build::{Draft, reserve};
 use crate::bvh::least::Least;
 use crate::bvh::{BuildError, BuildOptions, Bvh};
@@ -136,6 +136,15 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     }
 }
 
+/// The nodes and levels of a hierarchy with the same leaves.
+pub(super) fn over_leaves<const A: usize, V: Precision>(
+    wide: &WideBvh<A, V>,
+) -> Result<(Vec<WideNode<A>>, u32), WideError> {
+    let (draft, leaves) = draft_over_leaves(wide)?;
+    let made: Made<V, A> = collapse(&leaves, &draft, &WideOptions { max_leaf: 1, ..WideOptions::default() })?;
+    Ok((made.nodes, made.levels))
+}
+
 /// The top first; then what is below it, some parts at a time on all threads, so that no second copy of all is held.
 fn collapse<const A: usize, V: Precision>(
     shapes: &impl Shapes<V>,
@@ -147,20 +156,17 @@ fn collapse<const A: usize, V: Precision>(
     let collapse = Collapse { shapes, programme };
     let root = Pending { source: Source::Node(0), index: 0, level: 0 };
     let (mut made, mut pending) = collapse.below(root, CUT);
-    name_ancestors(&mut made.nodes, 0, usize::MAX);
-    // Room for all at once: to grow would take a second copy. Only where parts are made anew the sizes are others.
-    let sizes = threads::map(0..pending.len(), 1, |i| collapse.size(&pending[i].source));
-    reserve(&mut made.nodes, sizes.iter().map(|size| size[0]).sum())?;
-    reserve(&mut made.blocks, sizes.iter().map(|size| size[1]).sum())?;
+    name_ancestors(&mut made.nodes, |i| i as u32);
     while !pending.is_empty() {
         let rest = pending.split_off(pending.len().min(8 * threads::count()));
         let parts =
             threads::map(0..pending.len(), 1, |i| collapse.below(Pending { index: 0, ..pending[i].clone() }, 0).0);
-        for (Pending { index, .. }, part) in pending.into_iter().zip(parts) {
-            made.take(index, part)?;
-        }
+        let parts = parts.into_iter().zip(&pending).map(|(made, Pending { index, .. })| Part::of(made, *index));
+        made.take(parts.collect(), draft.node(0).count())?;
         pending = rest;
     }
+    made.nodes.shrink_to_fit();
+    made.blocks.shrink_to_fit();
     Ok(made)
 }
 
@@ -248,20 +254,9 @@ impl<const A: usize, H> Collapse<'_, H, A> {
     {
         held.clear();
         self.draft().leaves(place, |leaf| held.push(self.draft().node(leaf).first()));
-        if self.draft().has_parts {
-            held.sort_by_key(|&leaf| self.shapes.prim(leaf));
-            held.dedup_by_key(|leaf| self.shapes.prim(*leaf));
-        }
-        let first = made.blocks.len();
+        let address = self.shapes.write(held, self.draft().has_parts, &mut made.blocks);
         made.references += held.len();
-        for leaves in held.chunks(4) {
-            let mut block = Block::EMPTY;
-            for (lane, &leaf) in leaves.iter().enumerate() {
-                block.set(lane, &self.shapes.triangle(leaf), self.shapes.prim(leaf));
-            }
-            made.blocks.push(block);
-        }
-        Node::leaf((held.len() as u32) << BLOCK_BITS | first as u32)
+        address
     }
 
     fn count(&self, source: &Source) -> u32 {
@@ -269,24 +264,6 @@ impl<const A: usize, H> Collapse<'_, H, A> {
             Source::Node(place) => self.draft().node(*place).count(),
             Source::Leaves(leaves) => leaves.len() as u32,
         }
-    }
-
-    /// How many nodes are below one, and how many blocks, unless it is made anew.
-    fn size(&self, source: &Source) -> [usize; 2] {
-        let Source::Node(root) = *source else { return [0; 2] };
-        let (mut size, mut pending) = ([0; 2], vec![root]);
-        while let Some(place) = pending.pop() {
-            let (children, count) = self.programme.children(place);
-            for &child in &children[..count] {
-                if self.programme.is_leaf(child) {
-                    size[1] += self.draft().node(child).count().div_ceil(4) as usize;
-                } else {
-                    size[0] += 1;
-                    pending.push(child);
-                }
-            }
-        }
-        size
     }
 
     /// The children of an inner node at this level, from left to right.
@@ -339,33 +316,29 @@ fn flattest<const A: usize>(count: u32) -> u32 {
 }
 
 impl<V: Precision, const A: usize> Made<V, A> {
-    /// Takes a part over, with its root at this index, where its ancestors are named.
-    fn take(&mut self, index: usize, part: Self) -> Result<(), WideError> {
-        let (nodes, blocks) = (self.nodes.len() + part.nodes.len() - 1, self.blocks.len() + part.blocks.len());
+    /// Takes parts over, of which there will be so many triangles in all.
+    fn take(&mut self, mut parts: Vec<Part<V, A>>, total: u32) -> Result<(), WideError> {
+        let (mut nodes, mut blocks) = (self.nodes.len(), self.blocks.len());
+        for Part { made, root, ancestors, start, .. } in &mut parts {
+            (*ancestors, *start) = (self.nodes[*root].ancestors, [nodes, blocks]);
+            (nodes, blocks) = (nodes + made.nodes.len() - 1, blocks + made.blocks.len());
+            (self.levels, self.references) = (self.levels.max(made.levels), self.references + made.references);
+        }
         if nodes > WideBvh::<A, V>::MAX_NODES {
             return Err(WideError::TooManyNodes);
         }
         if blocks > WideBvh::<A, V>::MAX_BLOCKS {
             return Err(WideError::TooManyBlocks);
         }
-        // The index of its second node, less one; the index of its first block.
-        let (start, by_blocks) = (self.nodes.len(), self.blocks.len() as u32);
-        let by_nodes = start as u32 - 1;
-        let moved = |mut node: WideNode<A>| {
-            for bits in node.children.iter_mut().filter(|bits| **bits != 0) {
-                *bits += if Node::from_bits(*bits).is_leaf() { by_blocks } else { by_nodes };
-            }
-            node
-        };
-        let mut nodes = part.nodes.into_iter().map(moved);
-        let root = nodes.next().unwrap_or(WideNode::EMPTY);
-        self.nodes[index] = WideNode { ancestors: self.nodes[index].ancestors, ..root };
-        self.nodes.extend(nodes);
-        name_ancestors(&mut self.nodes, index, index + 1);
-        name_ancestors(&mut self.nodes, start, usize::MAX);
-        self.blocks.extend(part.blocks);
-        self.levels = self.levels.max(part.levels);
-        self.references += part.references;
+        let share = self.references as f64 / f64::from(total);
+        make_room(&mut self.nodes, nodes, share)?;
+        make_room(&mut self.blocks, blocks, share)?;
+        threads::update(&mut parts, 1, Part::place);
+        for part in &parts {
+            self.nodes[part.root] = part.made.nodes[0];
+        }
+        threads::append(&mut self.nodes, &parts.iter().map(|part| &part.made.nodes[1..]).collect::<Vec<_>>());
+        threads::append(&mut self.blocks, &parts.iter().map(|part| &part.made.blocks[..]).collect::<Vec<_>>());
         Ok(())
     }
 
@@ -374,5 +347,42 @@ impl<V: Precision, const A: usize> Made<V, A> {
         let Self { nodes, blocks, levels, references } = self;
         let duplicates = references - (triangles - dropped);
         WideBvh { nodes, blocks, region, levels, triangles, duplicates, least: Least::default() }
+    }
+}
+
+/// Makes room for so many, and if there is not enough, for all that will come if that is as what is there now, a share of
+/// all: to grow by and by would take a second copy.
+fn make_room<T>(all: &mut Vec<T>, count: usize, share: f64) -> Result<(), BuildError> {
+    if count > all.capacity() {
+        let expected = (count as f64 / share * 1.06) as usize;
+        reserve(all, expected.max(count) - all.len())?;
+    }
+    Ok(())
+}
+
+/// A part of a hierarchy, and where it goes.
+struct Part<V: Precision, const A: usize> {
+    made: Made<V, A>,
+    /// The index of the root, and its ancestors.
+    root: usize,
+    ancestors: [u32; A],
+    /// The index of the node after the root, and that of the first block.
+    start: [usize; 2],
+}
+
+impl<V: Precision, const A: usize> Part<V, A> {
+    fn of(made: Made<V, A>, root: usize) -> Self {
+        Self { made, root, ancestors: [0; A], start: [0; 2] }
+    }
+
+    /// Has its nodes name each other by their indices in the whole.
+    fn place(&mut self) {
+        let (root, [nodes, blocks]) = (self.root, self.start.map(|start| start as u32));
+        let index = |i: usize| if i == 0 { root as u32 } else { nodes - 1 + i as u32 };
+        self.made.nodes[0].ancestors = self.ancestors;
+        name_ancestors(&mut self.made.nodes, index);
+        for bits in self.made.nodes.iter_mut().flat_map(|node| &mut node.children).filter(|bits| **bits != 0) {
+            *bits += if Node::from_bits(*bits).is_leaf() { blocks } else { nodes - 1 };
+        }
     }
 }

@@ -1,42 +1,67 @@
-//! The tree with a node for each triangle that is collapsed, and its triangles.
+//! The tree that is collapsed, with a node for each triangle or for each leaf, and what becomes of these.
 
 use std::ops::Range;
 
-use crate::bvh::build::{Draft, Record, room};
-use crate::bvh::{BuildError, Bvh};
+use fearless_simd::Simd;
+
+use super::{BLOCK_BITS, WideBvh, WideNode};
+use crate::bvh::build::{Draft, Record, filled, merge, room, scale};
+use crate::bvh::{BuildError, BuildOptions, Builder, Bvh};
+use crate::geom::lanes::{Block, Precision, levels, vectorize};
 use crate::geom::{Aabb, Mesh, Triangle, Vector};
 use crate::order::Side;
 use crate::tree::{Node, Topology};
 
 /// What the leaves of a draft stand for.
-pub(super) trait Shapes<V: Vector>: Sync {
-    /// The index in the mesh.
-    fn prim(&self, leaf: u32) -> u32;
-
-    fn triangle(&self, leaf: u32) -> Triangle<V>;
+pub(super) trait Shapes<V: Precision>: Sync {
+    /// Writes a leaf that holds these, each triangle once, and says where. `leaves` are then those that it holds.
+    fn write(&self, leaves: &mut Vec<u32>, has_parts: bool, blocks: &mut Vec<Block<V>>) -> Node;
 }
 
-impl<V: Vector> Shapes<V> for Mesh<V> {
+/// By their index in the mesh.
+impl<V: Precision> Shapes<V> for Mesh<V> {
     #[inline(always)]
-    fn prim(&self, leaf: u32) -> u32 {
-        leaf
-    }
-
-    #[inline(always)]
-    fn triangle(&self, leaf: u32) -> Triangle<V> {
-        Triangle(Mesh::triangle(self, leaf as usize))
+    fn write(&self, leaves: &mut Vec<u32>, has_parts: bool, blocks: &mut Vec<Block<V>>) -> Node {
+        write(leaves, has_parts, blocks, |leaf| leaf, |leaf| Triangle(self.triangle(leaf as usize)))
     }
 }
 
 /// By their places in the hierarchy.
-impl<V: Vector> Shapes<V> for Bvh<Triangle<V>> {
-    fn prim(&self, leaf: u32) -> u32 {
-        self.triangles()[leaf as usize].prim
+impl<V: Precision> Shapes<V> for Bvh<Triangle<V>> {
+    fn write(&self, leaves: &mut Vec<u32>, has_parts: bool, blocks: &mut Vec<Block<V>>) -> Node {
+        let held = |leaf: u32| &self.triangles()[leaf as usize];
+        write(leaves, has_parts, blocks, |leaf| held(leaf).prim, |leaf| held(leaf).shape)
     }
+}
 
-    fn triangle(&self, leaf: u32) -> Triangle<V> {
-        self.triangles()[leaf as usize].shape
+/// Leaves of a wide hierarchy, which stay as they are.
+impl<V: Precision> Shapes<V> for Vec<Node> {
+    fn write(&self, leaves: &mut Vec<u32>, _: bool, _: &mut Vec<Block<V>>) -> Node {
+        self[leaves[0] as usize]
     }
+}
+
+#[inline(always)]
+fn write<V: Precision>(
+    leaves: &mut Vec<u32>,
+    has_parts: bool,
+    blocks: &mut Vec<Block<V>>,
+    prim: impl Fn(u32) -> u32,
+    triangle: impl Fn(u32) -> Triangle<V>,
+) -> Node {
+    if has_parts {
+        leaves.sort_by_key(|&leaf| prim(leaf));
+        leaves.dedup_by_key(|leaf| prim(*leaf));
+    }
+    let first = blocks.len();
+    for leaves in leaves.chunks(4) {
+        let mut block = Block::EMPTY;
+        for (lane, &leaf) in leaves.iter().enumerate() {
+            block.set(lane, &triangle(leaf), prim(leaf));
+        }
+        blocks.push(block);
+    }
+    Node::leaf((leaves.len() as u32) << BLOCK_BITS | first as u32)
 }
 
 /// What is below a node.
@@ -82,4 +107,85 @@ pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Draft, Build
         pending.extend([(right, right_box, first + 1), (left, left_box, first)]);
     }
     Ok(Draft::counted(nodes, bvh.duplicates() > 0))
+}
+
+/// That of a wide hierarchy: a node for each of its leaves, which are returned too. Children of a node are merged from the
+/// bottom up, and then subtrees are moved.
+pub(super) fn draft_over_leaves<const A: usize, V: Precision>(
+    wide: &WideBvh<A, V>,
+) -> Result<(Draft, Vec<Node>), BuildError> {
+    let count = wide.leaf_boxes().count();
+    let (mut leaves, mut items) = (room(count)?, room(count)?);
+    for (leaf, aabb) in wide.leaf_boxes() {
+        items.push(Record::item(&aabb, leaves.len() as u32));
+        leaves.push(leaf);
+    }
+    let is_scaled = scale(&mut items);
+    let nodes = vectorize!(levels()[0].1, simd => merged(simd, wide, &items))?;
+    let draft = Draft::counted(nodes, false).improved(Builder::Standard, BuildOptions::fine().sah, &|_| ())?;
+    let draft = if is_scaled {
+        let boxes: Vec<_> = wide.leaf_boxes().map(|(_, aabb)| aabb).collect();
+        draft.fitted(|leaf| boxes[leaf as usize])?
+    } else {
+        draft
+    };
+    Ok((draft, leaves))
+}
+
+/// The nodes of a draft over these leaves, which do not count yet what is below them.
+#[inline(always)]
+fn merged<S: Simd, const A: usize, V: Precision>(
+    simd: S,
+    wide: &WideBvh<A, V>,
+    leaves: &[Record],
+) -> Result<Vec<Record>, BuildError> {
+    let count = wide.nodes.len();
+    // Of each node in turn the box, from the bottom up, then the place, from the top down. An item that stands for an
+    // inner node has its index, beyond those of leaves.
+    let (mut boxes, mut places) = (filled(Record::NONE, count)?, filled(0, count)?);
+    let inner = |index: usize| (leaves.len() + index) as u32;
+    let mut next = leaves.len();
+    for (index, node) in wide.nodes.iter().enumerate().rev() {
+        next -= node.leaves().count_ones() as usize;
+        let (children, count) = items(node, &leaves[next..], &boxes);
+        boxes[index] = Record::around(&children[..count], inner(index));
+    }
+    let mut nodes = room(2 * leaves.len() - 1)?;
+    nodes.push(Record::NONE);
+    for (index, node) in wide.nodes.iter().enumerate() {
+        let (children, count) = items(node, &leaves[next..], &boxes);
+        next += node.leaves().count_ones() as usize;
+        let (place, first) = (places[index] as usize, nodes.len());
+        if count == 1 {
+            nodes[place] = children[0];
+        } else {
+            nodes.resize(first + 2 * count - 2, Record::NONE);
+            merge(simd, &children[..count], &mut nodes[first..], first as u32);
+            nodes[place] = Record::parent([&nodes[first], &nodes[first + 1]], first as u32);
+        }
+        for place in (first..nodes.len()).chain([place]) {
+            let item = &nodes[place];
+            if item.is_leaf() && item.first() >= inner(0) {
+                places[item.first() as usize - leaves.len()] = place as u32;
+            }
+        }
+    }
+    Ok(nodes)
+}
+
+/// The children of a node, the first of whose leaves is the first of these, and how many they are.
+#[inline(always)]
+fn items<const A: usize>(node: &WideNode<A>, mut leaves: &[Record], boxes: &[Record]) -> ([Record; A], usize) {
+    let (mut made, mut count) = ([Record::NONE; A], 0);
+    for slot in (0..A as u32).filter(|&slot| node.has_child(slot)) {
+        made[count] = match (node.child(slot), leaves) {
+            (child, [leaf, rest @ ..]) if child.is_leaf() => {
+                leaves = rest;
+                *leaf
+            }
+            (child, _) => boxes[child.index()],
+        };
+        count += 1;
+    }
+    (made, count)
 }

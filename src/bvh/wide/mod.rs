@@ -130,6 +130,14 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         size_of_val(&*self.nodes) + size_of_val(&*self.blocks)
     }
 
+    /// Leaves and their boxes, node by node.
+    fn leaf_boxes(&self) -> impl Iterator<Item = (Node, Aabb)> {
+        self.nodes.iter().flat_map(|node| {
+            let slots = (0..A as u32).filter(|slot| node.leaves() >> slot & 1 == 1);
+            slots.map(|slot| (node.child(slot), node.child_box(slot)))
+        })
+    }
+
     /// The blocks of a leaf, and how many triangles they hold together.
     #[inline(always)]
     pub fn leaf(&self, leaf: Node) -> (&[Block<V>], u32) {
@@ -272,6 +280,11 @@ impl<const A: usize> WideNode<A> {
         Aabb { lo: at(0), hi: at(1) }
     }
 
+    /// The box around all children.
+    fn aabb(&self) -> Aabb {
+        (0..A as u32).map(|slot| self.child_box(slot)).fold(Aabb::EMPTY, Aabb::union)
+    }
+
     fn set_child_box(&mut self, slot: u32, aabb: &Aabb) {
         for (axis, [lo, hi]) in self.planes.iter_mut().enumerate() {
             (lo[slot as usize & (A - 1)], hi[slot as usize & (A - 1)]) = (aabb.lo[axis], aabb.hi[axis]);
@@ -292,10 +305,10 @@ pub(crate) fn leaf_places(leaf: Node) -> Range<usize> {
     4 * first..4 * first + count as usize
 }
 
-/// Writes what the records in a range say beside boxes and children. Of a child that does not come after its parent nothing is
-/// written.
-fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>], from: usize, to: usize) {
-    for index in from..to.min(nodes.len()) {
+/// Writes what records say beside boxes and children, with these indices for their own. Of a child that does not come after
+/// its parent nothing is written.
+fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>], name: impl Fn(usize) -> u32) {
+    for index in 0..nodes.len() {
         for slot in 0..A as u32 {
             let node = &nodes[index];
             let (child, above) = (node.child(slot), node.ancestors);
@@ -308,7 +321,7 @@ fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>], from: usize, to: us
                 && let Some(below) = nodes.get_mut(child.index())
             {
                 // Its own leaves are not known yet: its turn comes later.
-                below.ancestors[0] = index as u32;
+                below.ancestors[0] = name(index);
                 for (own, above) in below.ancestors[1..].iter_mut().zip(above) {
                     *own = above & ((1 << ANCESTOR_BITS) - 1);
                 }

@@ -1,9 +1,15 @@
-//! New boxes for the same wide hierarchy, after its vertices have moved.
+//! After vertices have moved: new boxes, and better places for subtrees.
 
-use super::{WideBvh, leaf_parts};
+use super::{WideBvh, WideError, collapse, leaf_places};
 use crate::bvh::RefitError;
-use crate::geom::lanes::Precision;
+use crate::bvh::least::Least;
+use crate::geom::lanes::{Block, Precision};
 use crate::geom::{Aabb, Frame, Mesh, Region, Triangle, check_environment};
+use crate::threads;
+use crate::tree::Node;
+
+/// Nodes or blocks that a thread takes at once.
+const CHUNK: usize = 1 << 10;
 
 impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// Takes on a mesh of as many triangles, and the smallest boxes that hold them, in the same tree.
@@ -31,37 +37,34 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         if found != expected {
             return Err(RefitError::Count { found, expected });
         }
-        let mut is_held = vec![false; found];
-        for prim in self.blocks.iter().flat_map(|block| block.prims) {
-            if let Some(is_held) = is_held.get_mut(prim as usize) {
-                *is_held = true;
-            }
+        let triangle = |prim: u32| Triangle(mesh.triangle(prim as usize));
+        if let Some(prim) = self.left_out().find(|&prim| !triangle(prim).is_degenerate()) {
+            return Err(RefitError::Revived(prim));
         }
-        let triangle = |prim: usize| Triangle(mesh.triangle(prim));
-        if let Some(prim) = (0..found).find(|&prim| !is_held[prim] && !triangle(prim).is_degenerate()) {
-            return Err(RefitError::Revived(prim as u32));
-        }
-        for block in &mut self.blocks {
+        threads::update_anyway(&mut self.blocks, CHUNK, |block| {
             for (lane, prim) in block.prims.into_iter().enumerate() {
                 if (prim as usize) < found {
-                    block.set(lane, &triangle(prim as usize), prim);
+                    block.set(lane, &triangle(prim), prim);
                 }
             }
-        }
+        });
+        let Self { nodes, blocks, .. } = self;
+        threads::update_anyway(nodes, CHUNK, |node| {
+            for slot in 0..A as u32 {
+                if node.leaves() >> slot & 1 == 1 {
+                    node.set_child_box(slot, &leaf_box(blocks, node.child(slot), mesh.frame()));
+                }
+            }
+        });
         // Children come after their parents.
         let mut own = vec![Aabb::EMPTY; self.nodes.len()];
-        for index in (0..self.nodes.len()).rev() {
+        for (index, node) in self.nodes.iter_mut().enumerate().rev() {
             for slot in 0..A as u32 {
-                let node = &self.nodes[index];
-                if !node.has_child(slot) {
-                    continue;
+                if node.has_inner(slot) {
+                    node.set_child_box(slot, &own[node.child(slot).index()]);
                 }
-                let child = node.child(slot);
-                let aabb =
-                    if child.is_leaf() { self.leaf_box(leaf_parts(child), mesh.frame()) } else { own[child.index()] };
-                self.nodes[index].set_child_box(slot, &aabb);
-                own[index] = own[index].union(aabb);
             }
+            own[index] = node.aabb();
         }
         if !self.blocks.is_empty() {
             self.region = Region::within(*mesh.frame(), &own[0]);
@@ -69,8 +72,55 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         Ok(())
     }
 
-    fn leaf_box(&self, (first, count): (usize, u32), frame: &Frame) -> Aabb {
-        let lanes = (0..count as usize).map(|i| frame.aabb(&self.blocks[first + i / 4].triangle(i & 3)));
-        lanes.fold(Aabb::EMPTY, Aabb::union)
+    /// Moves subtrees to better places, where triangles that have moved spoilt the tree: all nodes are made anew over the
+    /// same leaves, by the steps of a [build](crate::bvh::BuildOptions::build_wide), in a quarter of its time. `[BUILD-7]`
+    ///
+    /// Leaves stay as they are: after triangles of one leaf have gone different ways, only a build helps.
+    ///
+    /// ```
+    /// use stackless_bvh::{bvh::WideBvh, generate::procedural, geom::Mesh};
+    ///
+    /// let mesh = procedural::strands(1, 100);
+    /// let mut wide = WideBvh::build(&mesh)?;
+    /// let twisted = mesh.vertices().iter().map(|v| v.rotate_y(v.y)).collect();
+    /// let twisted = Mesh::new(twisted, mesh.triangles().to_vec())?;
+    /// wide.refit(&twisted)?;
+    /// wide.optimize()?;
+    /// wide.validate(&twisted)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What [`WideError`] lists but for options; then nothing has changed.
+    pub fn optimize(&mut self) -> Result<(), WideError> {
+        if self.blocks.is_empty() {
+            return Ok(());
+        }
+        (self.nodes, self.levels) = threads::guarded(|| collapse::over_leaves(self))??;
+        self.least = Least::default();
+        Ok(())
+    }
+
+    /// Triangles of the mesh that are in no leaf.
+    fn left_out(&self) -> impl Iterator<Item = u32> {
+        let held: usize = self.leaf_boxes().map(|(leaf, _)| leaf_places(leaf).len()).sum();
+        let mut is_held = Vec::new();
+        if held - self.duplicates < self.triangles {
+            is_held.resize(self.triangles, false);
+            for prim in self.blocks.iter().flat_map(|block| block.prims) {
+                if let Some(is_held) = is_held.get_mut(prim as usize) {
+                    *is_held = true;
+                }
+            }
+        }
+        (0..).zip(is_held).filter(|(_, is_held)| !is_held).map(|(prim, _)| prim)
     }
 }
+
+fn leaf_box<V: Precision>(blocks: &[Block<V>], leaf: Node, frame: &Frame) -> Aabb {
+    let boxes = leaf_places(leaf).map(|place| frame.aabb(&blocks[place / 4].triangle(place & 3)));
+    boxes.fold(Aabb::EMPTY, Aabb::union)
+}
+
+#[cfg(test)]
+mod tests;

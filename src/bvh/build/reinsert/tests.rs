@@ -24,8 +24,8 @@ fn with_flat(n: usize) -> Mesh {
 #[test]
 fn only_the_largest_nodes_are_moved() {
     let (mut draft, _) = BuildOptions::fine().draft(&with_flat(4000), &|_| ()).expect("a tree");
-    let (total, areas) = (draft.nodes.len(), Areas::of(&draft.nodes));
-    let tree = Tree::of(&mut draft.nodes, BuildOptions::fine().sah).expect("memory");
+    let total = draft.nodes.len();
+    let (tree, areas) = Tree::of(&mut draft.nodes, BuildOptions::fine().sah).expect("memory");
     for share in [0.001, 0.01, 0.1, 0.3] {
         let large = tree.large(areas.least(share)).len();
         let wanted = (total as f32 * share) as usize;
@@ -42,7 +42,7 @@ fn every_move_pays() {
         let options = BuildOptions { builder: crate::bvh::Builder::Median, ..BuildOptions::fine() };
         let (mut draft, _) = options.draft(&mesh, &|_| ()).expect("a tree");
         let (before, sah) = (draft.nodes.clone(), SahOptions { max_leaf: 1, depth_limit });
-        let mut tree = Tree::of(&mut draft.nodes, sah).expect("memory");
+        let (mut tree, _) = Tree::of(&mut draft.nodes, sah).expect("memory");
         let (mut made, mut refused) = (0, 0);
         for node in (1..before.len() as u32).step_by(7) {
             for target in (0..before.len() as u32).step_by(41) {
@@ -58,7 +58,7 @@ fn every_move_pays() {
             }
         }
         assert!(made >= 5 && refused > 1000, "{made} {refused}");
-        assert!(tree.links[0].height <= depth_limit);
+        assert!(tree.height(tree.node(0)) <= depth_limit);
         // Boxes, counts, parents and heights are those of the children.
         for place in 0..tree.nodes.len() as u32 {
             let node = *tree.node(place);
@@ -66,7 +66,7 @@ fn every_move_pays() {
                 let children = [node.first(), node.first() + 1];
                 assert!(node.is_same(&Record::parent(children.map(|child| tree.node(child)), node.first())));
                 assert!(children.iter().all(|&child| tree.parent(child) == Some(place)));
-                assert_eq!(tree.links[place as usize].height, tree.height(place));
+                assert_eq!(tree.height(&node), tree.height_over(&node));
             }
         }
     }
