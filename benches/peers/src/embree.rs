@@ -1,7 +1,7 @@
 //! Embree 3 through its C library, which is loaded when it is asked for.
 //!
-//! Scenes are static, of medium build quality, with the flag for robust tests or without flags; single rays, as the
-//! others have them. Its manual recommends to let the processor flush denormal numbers; as that would change what the
+//! Scenes are static, of medium build quality, with the flag for robust tests or without flags, or dynamic ones that are
+//! refitted; single rays, as the others have them. Its manual recommends to let the processor flush denormal numbers; as that would change what the
 //! exact tests in the same thread compute, it is not done.
 //!
 //! # Safety
@@ -29,6 +29,9 @@ use crate::{Hit, PeerError, Ray, Tracer, each};
 pub(crate) struct Scene {
     device: Handle,
     handle: Handle,
+    /// The scene owns it.
+    geometry: Handle,
+    vertices: usize,
     api: &'static Api,
 }
 
@@ -75,7 +78,17 @@ const INDEX_BUFFER: c_int = 0;
 const VERTEX_BUFFER: c_int = 1;
 const UINT3: c_int = 0x5003;
 const FLOAT3: c_int = 0x9003;
-const ROBUST: c_int = 1 << 2;
+const REFIT: c_int = 3;
+
+/// What a scene is for, as a flag of `rtcSetSceneFlags`.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[repr(i32)]
+pub(crate) enum Kind {
+    Plain = 0,
+    /// Its geometry is refitted where it has moved.
+    Moving = 1,
+    Robust = 1 << 2,
+}
 
 /// Declares the functions that are used, and how they are found.
 macro_rules! api {
@@ -115,6 +128,9 @@ api! {
     commit_scene: "rtcCommitScene" fn(Handle);
     new_geometry: "rtcNewGeometry" fn(Handle, c_int) -> Handle;
     new_buffer: "rtcSetNewGeometryBuffer" fn(Handle, c_int, c_uint, c_int, usize, usize) -> *mut c_void;
+    set_quality: "rtcSetGeometryBuildQuality" fn(Handle, c_int);
+    get_buffer: "rtcGetGeometryBufferData" fn(Handle, c_int, c_uint) -> *mut c_void;
+    update_buffer: "rtcUpdateGeometryBuffer" fn(Handle, c_int, c_uint);
     commit_geometry: "rtcCommitGeometry" fn(Handle);
     attach_geometry: "rtcAttachGeometry" fn(Handle, Handle) -> c_uint;
     release_geometry: "rtcReleaseGeometry" fn(Handle);
@@ -124,7 +140,7 @@ api! {
 
 impl Scene {
     /// All indices must be of vertices.
-    pub(crate) fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]], robust: bool) -> Result<Self, PeerError> {
+    pub(crate) fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]], kind: Kind) -> Result<Self, PeerError> {
         let api = Api::load()?;
         // SAFETY: the text ends with a zero.
         let device = unsafe { (api.new_device)(c"threads=1".as_ptr()) };
@@ -132,21 +148,23 @@ impl Scene {
             return Err(PeerError::Refused("Embree has no device for this processor".to_owned()));
         }
         // SAFETY: the device is one.
-        let scene = unsafe { (api.new_scene)(device) };
-        let this = Self { device, handle: scene, api };
-        let Api { set_scene_flags, new_geometry, commit_geometry, attach_geometry, .. } = *api;
+        let (handle, geometry) = unsafe { ((api.new_scene)(device), (api.new_geometry)(device, TRIANGLES)) };
+        let this = Self { device, handle, geometry, vertices: vertices.len(), api };
+        let Api { set_scene_flags, set_quality, commit_geometry, attach_geometry, .. } = *api;
         let Api { release_geometry, commit_scene, device_error, .. } = *api;
         // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is
         // given back here.
         let written = unsafe {
-            set_scene_flags(scene, if robust { ROBUST } else { 0 });
-            let geometry = new_geometry(device, TRIANGLES);
+            set_scene_flags(handle, kind as c_int);
             let written = this.fill(geometry, VERTEX_BUFFER, FLOAT3, vertices)
                 && this.fill(geometry, INDEX_BUFFER, UINT3, triangles);
             if written {
+                if kind == Kind::Moving {
+                    set_quality(geometry, REFIT);
+                }
                 commit_geometry(geometry);
-                attach_geometry(scene, geometry);
-                commit_scene(scene);
+                attach_geometry(handle, geometry);
+                commit_scene(handle);
             }
             release_geometry(geometry);
             written
@@ -156,6 +174,25 @@ impl Scene {
             0 if written => Ok(this),
             error => Err(PeerError::Refused(format!("Embree's error {error}"))),
         }
+    }
+
+    /// Has the vertices moved, of which there must be as many as before.
+    pub(crate) fn refit(&mut self, vertices: &[[f32; 3]]) -> Result<(), PeerError> {
+        if vertices.len() != self.vertices {
+            return Err(PeerError::Refused(format!("{} vertices, expected {}", vertices.len(), self.vertices)));
+        }
+        let Api { get_buffer, update_buffer, commit_geometry, commit_scene, device_error, .. } = *self.api;
+        // SAFETY: the scene keeps the geometry, whose buffer has room for so many vertices. Nobody traces, as `self` is
+        // borrowed for this alone.
+        let error = unsafe {
+            let buffer = get_buffer(self.geometry, VERTEX_BUFFER, 0);
+            ptr::copy_nonoverlapping(vertices.as_ptr(), buffer.cast(), vertices.len());
+            update_buffer(self.geometry, VERTEX_BUFFER, 0);
+            commit_geometry(self.geometry);
+            commit_scene(self.handle);
+            device_error(self.device)
+        };
+        if error == 0 { Ok(()) } else { Err(PeerError::Refused(format!("Embree's error {error}"))) }
     }
 
     /// Makes a buffer of the geometry with these items, or says that there is no memory for it.

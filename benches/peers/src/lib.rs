@@ -101,9 +101,42 @@ impl Peer {
             Self::ObvhsCwbvh => Box::new(by_obvhs::Wide::new(&corners)),
             Self::Bvh => Box::new(by_bvh::Hierarchy::new(&corners)?),
             Self::Parry3d => Box::new(by_parry::Hierarchy::new(&corners)),
-            Self::Embree => Box::new(embree::Scene::new(vertices, triangles, false)?),
-            Self::EmbreeRobust => Box::new(embree::Scene::new(vertices, triangles, true)?),
+            Self::Embree => Box::new(embree::Scene::new(vertices, triangles, embree::Kind::Plain)?),
+            Self::EmbreeRobust => Box::new(embree::Scene::new(vertices, triangles, embree::Kind::Robust)?),
         })
+    }
+}
+
+/// A scene of Embree whose vertices move: its tree is refitted.
+#[allow(missing_debug_implementations, reason = "there is nothing to see")]
+pub struct Moving(embree::Scene);
+
+impl Moving {
+    /// Builds it.
+    ///
+    /// # Errors
+    /// What [`PeerError`] lists.
+    pub fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Self, PeerError> {
+        corners(vertices, triangles)?;
+        embree::Scene::new(vertices, triangles, embree::Kind::Moving).map(Self)
+    }
+
+    /// Moves the vertices, of which there must be as many as before.
+    ///
+    /// # Errors
+    /// [`PeerError::Refused`] if there are not, or there is no memory.
+    pub fn refit(&mut self, vertices: &[[f32; 3]]) -> Result<(), PeerError> {
+        self.0.refit(vertices)
+    }
+}
+
+impl Tracer for Moving {
+    fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        self.0.closest(rays, hits);
+    }
+
+    fn any(&self, rays: &[Ray], hits: &mut [bool]) {
+        self.0.any(rays, hits);
     }
 }
 

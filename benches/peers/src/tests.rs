@@ -82,3 +82,19 @@ fn names_differ() {
     names.dedup();
     assert_eq!(names.len(), Peer::ALL.len());
 }
+
+#[test]
+fn what_has_moved_is_hit_where_it_is() {
+    let mut moving = match Moving::new(&VERTICES, &TRIANGLES) {
+        Err(PeerError::NotInstalled(what)) => return println!("{what}"),
+        built => built.unwrap(),
+    };
+    let there = VERTICES.map(|[x, y, z]| [x, y + 100.0, z + 1.0]);
+    moving.refit(&there).unwrap();
+    let (rays, expected): (Vec<_>, Vec<_>) = cases().into_iter().unzip();
+    let moved = |ray: &Ray| Ray { origin: [ray.origin[0], ray.origin[1] + 100.0, ray.origin[2] + 1.0], ..*ray };
+    let mut hits = vec![None; rays.len()];
+    moving.closest(&rays.iter().map(moved).collect::<Vec<_>>(), &mut hits);
+    assert!(hits.iter().zip(&expected).all(|(&hit, &expected)| same(Peer::Embree, hit, expected)), "{hits:?}");
+    assert!(moving.refit(&there[1..]).is_err());
+}

@@ -28,6 +28,8 @@ use crate::record::write_figures;
 use crate::turns::take_turns;
 use crate::{Outcome, camera};
 use own::Trees;
+#[cfg(feature = "peers")]
+pub(crate) use peers::plain;
 use rays::{Kind, Set};
 use rows::{Row, means, of_scene};
 use wide::{Manner, WideTree};

@@ -3,6 +3,7 @@
 mod accuracy;
 mod boxes;
 mod figure;
+mod motion;
 mod parts;
 mod price;
 
@@ -44,6 +45,8 @@ pub(crate) enum Lab {
     Figure(figure::Args),
     /// Add up the records of the parts of a run of `accuracy` or `boxes`.
     Merge(merge::Args),
+    /// Measure what a mesh in motion costs, by refits, optimizing and builds.
+    Motion(motion::Args),
     /// Measure the parts of a ray's time, and what is saved where a part is left out.
     Parts(parts::Args),
     /// Time the dearest query of each hard family beside an ordinary one.
@@ -74,6 +77,7 @@ impl Program for Lab {
             Self::Explain { args, extra } => explain::run(&args, extra),
             Self::Figure(args) => figure::run(&args),
             Self::Merge(args) => merge::run(&args, &MERGED),
+            Self::Motion(args) => motion::run(&args),
             Self::Parts(args) => parts::run(&args),
             Self::Price(args) => price::run(&args),
             Self::Stress { args, extra } => stress::run(&args, extra),

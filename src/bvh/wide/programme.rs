@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-use fearless_simd::{Level, Select, Simd, SimdBase, f32x8};
+use fearless_simd::{Level, Select, Simd, SimdBase, f32x8, u32x8};
 
 use super::{CUT, WideOptions};
 use crate::bvh::BuildError;
@@ -23,15 +23,15 @@ pub(super) struct Programme<'a, const A: usize> {
     decisions: Vec<AtomicU64>,
 }
 
-/// Of a node's forests of at most 2 to A roots, how many roots are below the left child; 0 where one with fewer roots is
-/// as cheap. Last, those of the forest below an inner node; 0 where a leaf is cheaper.
+/// How many roots are below the left child: first, of the forest below an inner node, or 0 where a leaf is cheaper; then of
+/// the node's forests of at most 2 to A roots, or 0 where one with fewer roots is as cheap.
 type Decision = [u8; 8];
 
 /// Of the forests of at most 1 to 8 roots.
 type Costs = [f32; 8];
 
 /// Where a [`Decision`] says what is below an inner node.
-const INNER: usize = 7;
+const INNER: usize = 0;
 
 impl<'a, const A: usize> Programme<'a, A> {
     pub(super) fn of(draft: &'a Draft, options: &WideOptions) -> Result<Self, BuildError> {
@@ -114,7 +114,7 @@ impl<'a, const A: usize> Programme<'a, A> {
         let is_apart = apart < one;
         let mut costs = [if is_apart { apart } else { one }; 8];
         costs[0] = one;
-        self.decide(node, [u8::from(is_apart), 0, 0, 0, 0, 0, 0, u8::from(!is_leaf)]);
+        self.decide(node, [u8::from(!is_leaf), u8::from(is_apart), 0, 0, 0, 0, 0, 0]);
         costs
     }
 
@@ -127,16 +127,19 @@ impl<'a, const A: usize> Programme<'a, A> {
         let as_leaf = area * block_cost * count.div_ceil(4) as f32;
         // What is huge may cost infinitely much as a node too.
         let is_leaf = count <= max_leaf && as_leaf < f32::INFINITY && as_leaf <= as_node;
-        let mut costs = [if is_leaf { as_leaf } else { as_node }; 8];
-        let mut decision = [0; 8];
-        for roots in 1..A {
-            let is_less = best[roots] < costs[roots - 1];
-            costs[roots] = if is_less { best[roots] } else { costs[roots - 1] };
-            decision[roots - 1] = if is_less { lefts[roots] } else { 0 };
-        }
-        decision[INNER] = if is_leaf { 0 } else { lefts[A - 1] };
-        self.decide(node, decision);
-        costs
+        let one = f32x8::splat(simd, if is_leaf { as_leaf } else { as_node });
+        // With one root, with two in two forests, and so on; then the least of these and all before them.
+        let none = f32x8::splat(simd, f32::INFINITY);
+        let apart = one.slide::<7>(best.slide::<1>(none));
+        let costs = apart.min(none.slide::<7>(apart));
+        let costs = costs.min(none.slide::<6>(costs));
+        let costs = costs.min(none.slide::<4>(costs));
+        let is_less = apart.simd_lt(none.slide::<7>(costs));
+        let mut decision = is_less.select(lefts, u32x8::splat(simd, 0)).to_array();
+        // The first one stands for the node alone, which is not divided: in its place is what is below the node.
+        decision[0] = if is_leaf { 0 } else { lefts[A - 1] };
+        self.decide(node, decision.map(|k| k as u8));
+        costs.to_array()
     }
 
     #[inline(always)]
@@ -176,11 +179,11 @@ impl<'a, const A: usize> Programme<'a, A> {
             let node = self.draft.node(place);
             if roots > 1 && !node.is_leaf() {
                 let decision = self.decision(node);
-                while roots > 1 && decision[roots as usize - 2] == 0 {
+                while roots > 1 && decision[roots as usize - 1] == 0 {
                     roots -= 1;
                 }
                 if roots > 1 {
-                    let left = decision[roots as usize - 2];
+                    let left = decision[roots as usize - 1];
                     pending[open % A] = (node.first() + 1, roots - left);
                     pending[(open + 1) % A] = (node.first(), left);
                     open += 2;
@@ -204,18 +207,27 @@ struct Memory {
 
 /// Of at most i + 1 roots, at least one on each side: the least cost, and how many are on the left.
 #[inline(always)]
-fn divided<S: Simd, const A: usize>(simd: S, left: &Costs, right: &Costs) -> (Costs, Decision) {
-    let mut padded = [f32::INFINITY; 16];
-    padded[8..].copy_from_slice(right);
-    let mut best = f32x8::splat(simd, f32::INFINITY);
-    let mut lefts = f32x8::splat(simd, 1.0);
+fn divided<S: Simd, const A: usize>(simd: S, left: &Costs, right: &Costs) -> (f32x8<S>, u32x8<S>) {
+    let none = f32x8::splat(simd, f32::INFINITY);
+    let right = f32x8::load_array_ref(simd, right);
+    // By registers: what is loaded from where several lanes were just stored waits for these.
+    let others = [
+        none.slide::<7>(right),
+        none.slide::<6>(right),
+        none.slide::<5>(right),
+        none.slide::<4>(right),
+        none.slide::<3>(right),
+        none.slide::<2>(right),
+        none.slide::<1>(right),
+    ];
+    let (mut best, mut lefts) = (none, u32x8::splat(simd, 1));
     for k in 1..A {
-        let cost = f32x8::from_slice(simd, &padded[8 - k..16 - k]) + left[k - 1];
+        let cost = others[k - 1] + left[k - 1];
         let is_less = cost.simd_lt(best);
         best = is_less.select(cost, best);
-        lefts = is_less.select(f32x8::splat(simd, k as f32), lefts);
+        lefts = is_less.select(u32x8::splat(simd, k as u32), lefts);
     }
-    (best.to_array(), lefts.to_array().map(|k| k as u8))
+    (best, lefts)
 }
 
 #[cfg(test)]

@@ -31,6 +31,16 @@ pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contest
     built
 }
 
+/// A ray as peers have it.
+pub(crate) fn plain(ray: &Ray) -> peers::Ray {
+    peers::Ray {
+        origin: ray.origin().to_array(),
+        direction: ray.direction().to_array(),
+        tmin: ray.tmin(),
+        tmax: ray.tmax(),
+    }
+}
+
 struct Foreign {
     peer: peers::Peer,
     tracer: Box<dyn peers::Tracer>,
@@ -55,12 +65,6 @@ impl Contestant for Foreign {
     }
 
     fn take(&mut self, rays: &[Ray]) {
-        let plain = |ray: &Ray| peers::Ray {
-            origin: ray.origin().to_array(),
-            direction: ray.direction().to_array(),
-            tmin: ray.tmin(),
-            tmax: ray.tmax(),
-        };
         self.rays = rays.iter().map(plain).collect();
         self.blocked = vec![false; rays.len()];
     }

@@ -55,6 +55,9 @@ fn optimizing_makes_a_spoilt_tree_cheaper() {
             (cost(&wide), wide.blocks.clone(), leaves(&wide), wide.least_below(wide.root()));
         assert_eq!((wide.optimize(), wide.validate(&moved)), (Ok(()), Ok(())));
         assert!(wide.blocks == blocks && leaves(&wide) == held, "leaves stay as they are");
+        let fresh = WideBvh { least: Least::default(), ..wide.clone() };
+        let inner = (0..wide.nodes.len() as u32).map(Node::inner);
+        assert!(inner.clone().all(|node| wide.least_below(node) == fresh.least_below(node)));
         assert_eq!(wide.least_below(wide.root()), least);
         let (after, built) = (cost(&wide), cost(&WideBvh::<8>::build(&moved).expect("a tree")));
         assert!(after < most * before && after < 1.7 * built, "{turn}: {before} {after} {built}");

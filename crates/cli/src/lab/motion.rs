@@ -1,0 +1,266 @@
+//! `lab motion`: a mesh in motion, by refits, optimizing and builds, and what rays then take.
+
+use std::ops::Range;
+use std::path::PathBuf;
+
+use cpu_time::ProcessTime;
+use glam::Vec3;
+use serde::Serialize;
+use serde_json::json;
+use stackless_bvh::bvh::{Builder, Bvh, WideBvh};
+use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::trace::{self, Tracer};
+
+use crate::input::{self, Scene};
+use crate::output::{say, table};
+use crate::places::{self, Output};
+use crate::record::write_figures;
+use crate::turns::take_turns;
+use crate::{Outcome, build, camera};
+
+/// Measure what a mesh in motion costs: new boxes for the same tree, these with subtrees moved, and new trees.
+///
+/// The mesh is twisted about the vertical axis, further from frame to frame. Updates are in processor time of all threads,
+/// the least over the frames; the time of a diffuse ray is relative to that in a tree that was built for the frame
+/// (`standard`). All take turns on the same rays.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:\n  lab motion examples/data/torus.ply --threads 1")]
+pub(crate) struct Args {
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
+    #[arg(required = true)]
+    scenes: Vec<PathBuf>,
+    /// Frames after the first one.
+    #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    frames: u32,
+    /// By how much the upper end is turned in the last frame, relative to the lower one: in degrees.
+    #[arg(long, default_value_t = 90.0)]
+    turn: f32,
+    /// Rays of the camera; from each of their hits there is a diffuse one.
+    #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
+    count: u32,
+    /// How often all rays are timed.
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
+    #[command(flatten)]
+    place: camera::Place,
+    /// Seed of the rays.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the figures to this file.
+    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    json: Option<Output>,
+}
+
+/// What came of one way to follow the motion.
+#[derive(Serialize)]
+struct Row {
+    scene: String,
+    method: &'static str,
+    /// Nanoseconds a triangle for one frame.
+    update: f64,
+    /// Time of rays relative to that in a new tree, by frame.
+    rays: Vec<f64>,
+}
+
+pub(crate) fn run(args: &Args) -> Outcome {
+    let scenes = input::scenes(&args.scenes)?;
+    let mut rows = Vec::new();
+    for scene in &scenes {
+        rows.extend(measure(args, scene)?);
+    }
+    let cells = |Row { scene, method, update, rays }: &Row| {
+        let [first, last] =
+            [rays.first(), rays.last()].map(|rays| rays.map_or_else(String::new, |rays| format!("{rays:.2}")));
+        vec![scene.clone(), (*method).to_owned(), format!("{update:.0}"), first, last]
+    };
+    let header = ["scene", "method", "update ns/triangle", "rays, first frame", "rays, last frame"];
+    say!("{}", table(&header, 2, rows.iter().map(cells).collect()));
+    if let Some(path) = &args.json {
+        write_figures(path, "motion", &scenes, json!({ "rows": rows }))?;
+    }
+    Ok(true)
+}
+
+/// Who follows the motion.
+trait Follower {
+    fn name(&self) -> &'static str;
+
+    /// Takes on the mesh of a frame.
+    fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>>;
+
+    /// Gets ready for these rays, untimed.
+    fn take(&mut self, _rays: &[Ray]) {}
+
+    /// Closest hits of some of those that were taken; how many there are.
+    fn trace(&self, rays: &[Ray], range: Range<usize>) -> usize;
+}
+
+/// Rays that are timed before it is another one's turn.
+const CHUNK: usize = 2048;
+
+fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
+    let mut followers: Vec<Box<dyn Follower>> = Vec::new();
+    for how in [How::Built(Builder::Standard), How::Built(Builder::Fast), How::Optimized, How::Refitted] {
+        followers.push(Box::new(Own { how, tree: build::wide(Builder::Standard, scene)? }));
+    }
+    #[cfg(feature = "peers")]
+    followers.extend(peers::followers(&scene.mesh)?);
+    let triangles = scene.mesh.triangles().len() as f64;
+    let row = |follower: &Box<dyn Follower>| Row {
+        scene: scene.name.clone(),
+        method: follower.name(),
+        update: f64::INFINITY,
+        rays: Vec::new(),
+    };
+    let mut rows: Vec<_> = followers.iter().map(row).collect();
+    for frame in 1..=args.frames {
+        let moved = twisted(&scene.mesh, args.turn.to_radians() * frame as f32 / args.frames as f32)?;
+        for (follower, row) in followers.iter_mut().zip(&mut rows) {
+            let start = ProcessTime::now();
+            follower.follow(&moved)?;
+            row.update = row.update.min(start.elapsed().as_secs_f64() * 1e9 / triangles);
+        }
+        let moved = Scene { name: scene.name.clone(), mesh: moved };
+        let primary = args.place.of(&moved).rays(args.count as usize);
+        let rays = trace::bounce(&moved.mesh, &Bvh::build(&moved.mesh)?, &primary, args.seed);
+        followers.iter_mut().for_each(|follower| follower.take(&rays));
+        let mut hits = vec![0; followers.len()];
+        let times = take_turns(followers.len(), rays.len(), CHUNK, args.rounds as usize, &scene.name, |i, range| {
+            hits[i] += followers[i].trace(&rays, range);
+        });
+        let seconds = |i: usize| times.by_chunk(i).iter().sum::<f64>();
+        for (i, row) in rows.iter_mut().enumerate() {
+            row.rays.push(seconds(i) / seconds(0));
+        }
+        if hits[1..4].iter().any(|&other| other != hits[0]) {
+            return Err(format!("{}, frame {frame}: {:?} hits, expected as many each", scene.name, &hits[..4]).into());
+        }
+    }
+    Ok(rows)
+}
+
+/// A mesh whose upper end is turned by so many radians.
+fn twisted(mesh: &Mesh, turn: f32) -> Result<Mesh, Box<dyn std::error::Error>> {
+    let (lo, hi) =
+        mesh.vertices().iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &v| (lo.min(v), hi.max(v)));
+    let (middle, height) = ((lo + hi) * 0.5, (hi.y - lo.y).max(f32::MIN_POSITIVE));
+    let moved = mesh.vertices().iter().map(|&v| (v - middle).rotate_y(turn * (v.y - lo.y) / height) + middle);
+    Ok(Mesh::new(moved.collect(), mesh.triangles().to_vec())?)
+}
+
+/// A tree of this library.
+struct Own {
+    how: How,
+    tree: WideBvh,
+}
+
+/// How it is kept.
+enum How {
+    Built(Builder),
+    Optimized,
+    Refitted,
+}
+
+impl Follower for Own {
+    fn name(&self) -> &'static str {
+        match self.how {
+            How::Built(builder) => builder.name(),
+            How::Optimized => "refit, optimize",
+            How::Refitted => "refit",
+        }
+    }
+
+    fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>> {
+        if let How::Built(builder) = self.how {
+            self.tree = build::options(builder).build_wide(mesh)?;
+            return Ok(());
+        }
+        self.tree.refit(mesh)?;
+        if let How::Optimized = self.how {
+            self.tree.optimize()?;
+        }
+        Ok(())
+    }
+
+    fn trace(&self, rays: &[Ray], range: Range<usize>) -> usize {
+        let mut found = vec![None; range.len()];
+        Tracer::new(&self.tree).closest_distances(&rays[range], &mut found);
+        found.iter().flatten().count()
+    }
+}
+
+#[cfg(feature = "peers")]
+mod peers {
+    use stackless_peers::{Moving, Peer, PeerError, Tracer};
+
+    use super::{Follower, Mesh, Range, Ray};
+    use crate::bench::plain;
+
+    /// Embree, by refits and by builds; nobody where it is not installed.
+    pub(super) fn followers(mesh: &Mesh) -> Result<Vec<Box<dyn Follower>>, PeerError> {
+        let vertices = vertices(mesh);
+        let moving = match Moving::new(&vertices, mesh.triangles()) {
+            Err(PeerError::NotInstalled(_)) => return Ok(Vec::new()),
+            moving => moving?,
+        };
+        let built = Peer::Embree.build(&vertices, mesh.triangles())?;
+        Ok(vec![Box::new(Built { tracer: built, rays: Vec::new() }), Box::new(Refitted { moving, rays: Vec::new() })])
+    }
+
+    fn vertices(mesh: &Mesh) -> Vec<[f32; 3]> {
+        mesh.vertices().iter().map(glam::Vec3::to_array).collect()
+    }
+
+    struct Built {
+        tracer: Box<dyn Tracer>,
+        rays: Vec<stackless_peers::Ray>,
+    }
+
+    struct Refitted {
+        moving: Moving,
+        rays: Vec<stackless_peers::Ray>,
+    }
+
+    impl Follower for Built {
+        fn name(&self) -> &'static str {
+            "embree"
+        }
+
+        fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>> {
+            self.tracer = Peer::Embree.build(&vertices(mesh), mesh.triangles())?;
+            Ok(())
+        }
+
+        fn take(&mut self, rays: &[Ray]) {
+            self.rays = rays.iter().map(plain).collect();
+        }
+
+        fn trace(&self, _: &[Ray], range: Range<usize>) -> usize {
+            hits(&*self.tracer, &self.rays[range])
+        }
+    }
+
+    impl Follower for Refitted {
+        fn name(&self) -> &'static str {
+            "embree, refit"
+        }
+
+        fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>> {
+            Ok(self.moving.refit(&vertices(mesh))?)
+        }
+
+        fn take(&mut self, rays: &[Ray]) {
+            self.rays = rays.iter().map(plain).collect();
+        }
+
+        fn trace(&self, _: &[Ray], range: Range<usize>) -> usize {
+            hits(&self.moving, &self.rays[range])
+        }
+    }
+
+    fn hits(tracer: &dyn Tracer, rays: &[stackless_peers::Ray]) -> usize {
+        let mut hits = vec![None; rays.len()];
+        tracer.closest(rays, &mut hits);
+        hits.iter().flatten().count()
+    }
+}
