@@ -21,10 +21,11 @@ import numpy as np
 import trimesh
 from trimesh.ray.ray_triangle import RayMeshIntersector as Native
 
-from stackless_bvh import Scene
-
-sys.path.insert(0, str(Path(__file__).parent / "tests"))
+# In place of this folder: the package is the one that is installed, not its source beside this file.
+sys.path[0] = str(Path(__file__).parent / "tests")
 import oracle  # noqa: E402
+
+from stackless_bvh import Scene  # noqa: E402
 
 # Engines that are asked fewer questions, and of rays so many.
 SLOW = {"trimesh native": 200}

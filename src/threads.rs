@@ -163,7 +163,9 @@ pub(crate) fn append<T: Copy + Send + Sync>(all: &mut Vec<T>, parts: &[&[T]]) {
         all.par_extend((0..count).into_par_iter().with_min_len(1 << 8).map_init(begin, item));
     }
     #[cfg(not(feature = "parallel"))]
-    parts.iter().for_each(|part| all.extend_from_slice(part));
+    for part in parts {
+        all.extend_from_slice(part);
+    }
 }
 
 /// Changes each item. A thread takes at least `least` at once.

@@ -78,6 +78,7 @@ const INDEX_BUFFER: c_int = 0;
 const VERTEX_BUFFER: c_int = 1;
 const UINT3: c_int = 0x5003;
 const FLOAT3: c_int = 0x9003;
+const LOW: c_int = 0;
 const REFIT: c_int = 3;
 
 /// What a scene is for, as a flag of `rtcSetSceneFlags`.
@@ -128,6 +129,7 @@ api! {
     commit_scene: "rtcCommitScene" fn(Handle);
     new_geometry: "rtcNewGeometry" fn(Handle, c_int) -> Handle;
     new_buffer: "rtcSetNewGeometryBuffer" fn(Handle, c_int, c_uint, c_int, usize, usize) -> *mut c_void;
+    set_scene_quality: "rtcSetSceneBuildQuality" fn(Handle, c_int);
     set_quality: "rtcSetGeometryBuildQuality" fn(Handle, c_int);
     get_buffer: "rtcGetGeometryBufferData" fn(Handle, c_int, c_uint) -> *mut c_void;
     update_buffer: "rtcUpdateGeometryBuffer" fn(Handle, c_int, c_uint);
@@ -150,7 +152,7 @@ impl Scene {
         // SAFETY: the device is one.
         let (handle, geometry) = unsafe { ((api.new_scene)(device), (api.new_geometry)(device, TRIANGLES)) };
         let this = Self { device, handle, geometry, vertices: vertices.len(), api };
-        let Api { set_scene_flags, set_quality, commit_geometry, attach_geometry, .. } = *api;
+        let Api { set_scene_flags, set_scene_quality, set_quality, commit_geometry, attach_geometry, .. } = *api;
         let Api { release_geometry, commit_scene, device_error, .. } = *api;
         // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is
         // given back here.
@@ -160,6 +162,8 @@ impl Scene {
                 && this.fill(geometry, INDEX_BUFFER, UINT3, triangles);
             if written {
                 if kind == Kind::Moving {
+                    // Only then the geometry has a tree of its own, which can be refitted.
+                    set_scene_quality(handle, LOW);
                     set_quality(geometry, REFIT);
                 }
                 commit_geometry(geometry);

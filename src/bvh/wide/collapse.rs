@@ -355,7 +355,7 @@ impl<V: Precision, const A: usize> Made<V, A> {
 fn make_room<T>(all: &mut Vec<T>, count: usize, share: f64) -> Result<(), BuildError> {
     if count > all.capacity() {
         let expected = (count as f64 / share * 1.06) as usize;
-        reserve(all, expected.max(count) - all.len())?;
+        return reserve(all, expected.max(count) - all.len()).or_else(|_| reserve(all, count - all.len()));
     }
     Ok(())
 }

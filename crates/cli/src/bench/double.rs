@@ -1,14 +1,13 @@
 //! Double precision: the same rays and triangles, where they are and in places that single precision cannot hold.
 
 use clap::builder::{PossibleValue, TypedValueParser};
-use cpu_time::ProcessTime;
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{Accuracy, Tracer};
 
-use super::Contestant;
 use super::wide::Manner;
+use super::{Contestant, timed};
 use crate::build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Query};
@@ -58,9 +57,7 @@ pub(super) fn build(
         let space = Space { place, middle, unit: if extent > 0.0 { 1.0 / extent } else { 1.0 } };
         let vertices = scene.mesh.vertices().iter().map(|&v| space.point(v)).collect();
         let mesh = Mesh::new(vertices, scene.mesh.triangles().to_vec())?;
-        let start = ProcessTime::now();
-        let bvh = build::options(build).build_wide(&mesh)?;
-        let build_seconds = start.elapsed().as_secs_f64();
+        let (bvh, build_seconds) = timed(|| build::options(build).build_wide(&mesh))?;
         let tracer = Tracer::new(bvh).with_level(manner.level);
         built.push(Box::new(Double { space, tracer, build_seconds, rays: Vec::new(), manner }));
     }

@@ -1,6 +1,5 @@
 //! The traversals of this library, each with the tests of a level.
 
-use cpu_time::ProcessTime;
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Builder, Bvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
@@ -8,7 +7,7 @@ use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Forms, WithTests}
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::tree::{Recorded, Topology};
 
-use super::Contestant;
+use super::{Contestant, timed};
 use crate::build;
 use crate::input::Scene;
 use crate::judge::{Answer, Query};
@@ -25,9 +24,7 @@ pub(super) struct Trees {
 
 impl Trees {
     pub(super) fn build(scene: &Scene, build: Builder) -> Result<Self, BuildError> {
-        let start = ProcessTime::now();
-        let bvh = build::binary(build, scene)?;
-        let build_seconds = start.elapsed().as_secs_f64();
+        let (bvh, build_seconds) = timed(|| build::binary(build, scene))?;
         let uncles = Forms::new(bvh.clone().with_links(Recorded::Uncles));
         Ok(Self { build, uncles, parents: Forms::new(bvh), build_seconds })
     }

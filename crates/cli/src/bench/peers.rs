@@ -1,12 +1,11 @@
 //! Ray tracers by others.
 
-use cpu_time::ProcessTime;
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::Accuracy;
 use stackless_peers as peers;
 
-use super::Contestant;
+use super::{Contestant, timed};
 use crate::judge::{Answer, Query};
 
 /// Builds all peers that are there; a note says why one is not.
@@ -14,16 +13,10 @@ pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contest
     let vertices: Vec<_> = mesh.vertices().iter().map(glam::Vec3::to_array).collect();
     let mut built = Vec::<Box<dyn Contestant>>::new();
     for peer in peers::Peer::ALL {
-        // Of all threads, if a peer should have started some.
-        let start = ProcessTime::now();
-        match peer.build(&vertices, mesh.triangles()) {
-            Ok(tracer) => built.push(Box::new(Foreign {
-                peer,
-                tracer,
-                build_seconds: start.elapsed().as_secs_f64(),
-                rays: Vec::new(),
-                blocked: Vec::new(),
-            })),
+        match timed(|| peer.build(&vertices, mesh.triangles())) {
+            Ok((tracer, build_seconds)) => {
+                built.push(Box::new(Foreign { peer, tracer, build_seconds, rays: Vec::new(), blocked: Vec::new() }));
+            }
             Err(error @ peers::PeerError::NotInstalled(_)) => notes.push(error.to_string()),
             Err(error) => notes.push(format!("{}: {error}", peer.name())),
         }

@@ -3,14 +3,13 @@
 use std::borrow::Borrow;
 use std::hint::black_box;
 
-use cpu_time::ProcessTime;
 use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::{Level, Precision};
 use stackless_bvh::trace::{Accuracy, Hit, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
-use super::Contestant;
+use super::{Contestant, timed};
 use crate::build;
 use crate::input::Scene;
 use crate::judge::{Answer, Query};
@@ -72,9 +71,8 @@ impl Manner {
 
 impl WideTree {
     pub(super) fn build(scene: &Scene, build: Builder) -> Result<Self, Box<dyn std::error::Error>> {
-        let start = ProcessTime::now();
-        let bvh = build::wide(build, scene)?;
-        Ok(Self { build, bvh, build_seconds: start.elapsed().as_secs_f64() })
+        let (bvh, build_seconds) = timed(|| build::wide(build, scene))?;
+        Ok(Self { build, bvh, build_seconds })
     }
 
     pub(super) fn contestant(

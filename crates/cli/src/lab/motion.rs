@@ -7,7 +7,7 @@ use cpu_time::ProcessTime;
 use glam::Vec3;
 use serde::Serialize;
 use serde_json::json;
-use stackless_bvh::bvh::{Builder, Bvh, WideBvh};
+use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, Degenerate, WideBvh};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::trace::{self, Tracer};
 
@@ -16,7 +16,7 @@ use crate::output::{say, table};
 use crate::places::{self, Output};
 use crate::record::write_figures;
 use crate::turns::take_turns;
-use crate::{Outcome, build, camera};
+use crate::{Outcome, camera};
 
 /// Measure what a mesh in motion costs: new boxes for the same tree, these with subtrees moved, and new trees.
 ///
@@ -101,18 +101,13 @@ const CHUNK: usize = 2048;
 fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let mut followers: Vec<Box<dyn Follower>> = Vec::new();
     for how in [How::Built(Builder::Standard), How::Built(Builder::Fast), How::Optimized, How::Refitted] {
-        followers.push(Box::new(Own { how, tree: build::wide(Builder::Standard, scene)? }));
+        followers.push(Box::new(Own { how, tree: options(Builder::Standard).build_wide(&scene.mesh)? }));
     }
     #[cfg(feature = "peers")]
     followers.extend(peers::followers(&scene.mesh)?);
     let triangles = scene.mesh.triangles().len() as f64;
-    let row = |follower: &Box<dyn Follower>| Row {
-        scene: scene.name.clone(),
-        method: follower.name(),
-        update: f64::INFINITY,
-        rays: Vec::new(),
-    };
-    let mut rows: Vec<_> = followers.iter().map(row).collect();
+    let row = |method| Row { scene: scene.name.clone(), method, update: f64::INFINITY, rays: Vec::new() };
+    let mut rows: Vec<_> = followers.iter().map(|follower| row(follower.name())).collect();
     for frame in 1..=args.frames {
         let moved = twisted(&scene.mesh, args.turn.to_radians() * frame as f32 / args.frames as f32)?;
         for (follower, row) in followers.iter_mut().zip(&mut rows) {
@@ -123,7 +118,9 @@ fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::E
         let moved = Scene { name: scene.name.clone(), mesh: moved };
         let primary = args.place.of(&moved).rays(args.count as usize);
         let rays = trace::bounce(&moved.mesh, &Bvh::build(&moved.mesh)?, &primary, args.seed);
-        followers.iter_mut().for_each(|follower| follower.take(&rays));
+        for follower in &mut followers {
+            follower.take(&rays);
+        }
         let mut hits = vec![0; followers.len()];
         let times = take_turns(followers.len(), rays.len(), CHUNK, args.rounds as usize, &scene.name, |i, range| {
             hits[i] += followers[i].trace(&rays, range);
@@ -137,6 +134,11 @@ fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::E
         }
     }
     Ok(rows)
+}
+
+/// With triangles that no ray meets now: they may have an area later.
+fn options(builder: Builder) -> BuildOptions {
+    BuildOptions { builder, degenerate: Degenerate::Kept, ..BuildOptions::default() }
 }
 
 /// A mesh whose upper end is turned by so many radians.
@@ -172,7 +174,7 @@ impl Follower for Own {
 
     fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>> {
         if let How::Built(builder) = self.how {
-            self.tree = build::options(builder).build_wide(mesh)?;
+            self.tree = options(builder).build_wide(mesh)?;
             return Ok(());
         }
         self.tree.refit(mesh)?;
