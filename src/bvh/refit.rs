@@ -27,6 +27,22 @@ pub enum RefitError {
     Environment(#[from] EnvironmentError),
 }
 
+/// Refuses primitives that can be hit, if a hierarchy that holds these was made without one of them.
+pub(super) fn refuse_revived<P: Primitives + ?Sized>(
+    primitives: &P,
+    held: impl Iterator<Item = u32>,
+) -> Result<(), RefitError> {
+    let mut is_held = vec![false; primitives.count()];
+    for prim in held {
+        // Lanes without a triangle have a greater index.
+        if let Some(is_held) = is_held.get_mut(prim as usize) {
+            *is_held = true;
+        }
+    }
+    let revived = (0..is_held.len()).find(|&prim| !is_held[prim] && primitives.can_be_hit(prim));
+    revived.map_or(Ok(()), |prim| Err(RefitError::Revived(prim as u32)))
+}
+
 impl<S> Bvh<S> {
     /// Takes on new shapes, and the smallest boxes that hold them, in the same tree.
     ///
@@ -72,16 +88,7 @@ impl<S> Bvh<S> {
         if found != expected {
             return Err(RefitError::Count { found, expected });
         }
-        let mut is_held = vec![false; found];
-        for held in &self.triangles {
-            // A tree over as many has no greater index.
-            if let Some(is_held) = is_held.get_mut(held.prim as usize) {
-                *is_held = true;
-            }
-        }
-        if let Some(prim) = (0..found).find(|&prim| !is_held[prim] && primitives.can_be_hit(prim)) {
-            return Err(RefitError::Revived(prim as u32));
-        }
+        refuse_revived(primitives, self.triangles.iter().map(|held| held.prim))?;
         let aabb = |prim: u32| {
             let aabb = primitives.aabb(prim as usize);
             aabb.lo.cmple(aabb.hi).all().then_some(aabb).ok_or(RefitError::NoBox(prim))

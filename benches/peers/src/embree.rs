@@ -1,8 +1,8 @@
 //! Embree 3 through its C library, which is loaded when it is asked for.
 //!
 //! Scenes are static, of medium build quality, with the flag for robust tests or without flags, or dynamic ones that are
-//! refitted; single rays, as the others have them. Its manual recommends to let the processor flush denormal numbers; as that would change what the
-//! exact tests in the same thread compute, it is not done.
+//! refitted; single rays, as the others have them. Its manual recommends to let the processor flush denormal numbers; as
+//! that would change what the exact tests in the same thread compute, it is not done.
 //!
 //! # Safety
 //!
@@ -81,12 +81,12 @@ const FLOAT3: c_int = 0x9003;
 const LOW: c_int = 0;
 const REFIT: c_int = 3;
 
-/// What a scene is for, as a flag of `rtcSetSceneFlags`.
+/// A kind of scene, with its flags for `rtcSetSceneFlags`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 #[repr(i32)]
 pub(crate) enum Kind {
     Plain = 0,
-    /// Its geometry is refitted where it has moved.
+    /// Refitted after its vertices have moved.
     Moving = 1,
     Robust = 1 << 2,
 }
@@ -180,14 +180,14 @@ impl Scene {
         }
     }
 
-    /// Has the vertices moved, of which there must be as many as before.
+    /// Moves the vertices. There must be as many as before.
     pub(crate) fn refit(&mut self, vertices: &[[f32; 3]]) -> Result<(), PeerError> {
         if vertices.len() != self.vertices {
             return Err(PeerError::Refused(format!("{} vertices, expected {}", vertices.len(), self.vertices)));
         }
         let Api { get_buffer, update_buffer, commit_geometry, commit_scene, device_error, .. } = *self.api;
-        // SAFETY: the scene keeps the geometry, whose buffer has room for so many vertices. Nobody traces, as `self` is
-        // borrowed for this alone.
+        // SAFETY: the scene keeps the geometry, whose buffer has room for `self.vertices`. `self` is borrowed mutably, so
+        // no ray is traced meanwhile.
         let error = unsafe {
             let buffer = get_buffer(self.geometry, VERTEX_BUFFER, 0);
             ptr::copy_nonoverlapping(vertices.as_ptr(), buffer.cast(), vertices.len());

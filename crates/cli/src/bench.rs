@@ -30,7 +30,7 @@ use crate::turns::take_turns;
 use crate::{Outcome, camera};
 use own::Trees;
 #[cfg(feature = "peers")]
-pub(crate) use peers::plain;
+pub(crate) use peers::{plain, vertices};
 use rays::{Kind, Set};
 use rows::{Row, means, of_scene};
 use wide::{Manner, WideTree};
@@ -166,7 +166,8 @@ pub(crate) fn run(args: &Args, extra: &Extra) -> Outcome {
     Ok(offences.is_empty())
 }
 
-/// What is built, and the least processor time of a few builds, in seconds: the first one touches memory for the first time.
+/// Builds a few times, and returns the last result with the least processor time, in seconds. The first build is slower, as
+/// it touches memory for the first time.
 fn timed<T, E>(mut build: impl FnMut() -> Result<T, E>) -> Result<(T, f64), E> {
     let mut least = f64::INFINITY;
     for _ in 1..BUILDS {

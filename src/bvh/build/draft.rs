@@ -85,7 +85,7 @@ impl Draft {
         Ok(self)
     }
 
-    /// The same tree with the boxes that these items have.
+    /// The same tree with the boxes of its items, which `aabb` tells, instead of scaled ones.
     pub(in crate::bvh) fn fitted(mut self, aabb: impl Fn(u32) -> Aabb) -> Result<Self, BuildError> {
         let mut nodes = filled(Record::NONE, self.nodes.len())?;
         self.upward(|place| {

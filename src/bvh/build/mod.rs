@@ -78,7 +78,7 @@ pub(super) fn reserve<T>(all: &mut Vec<T>, count: usize) -> Result<(), BuildErro
     all.try_reserve_exact(count).map_err(|_| BuildError::Memory(count.saturating_mul(size_of::<T>())))
 }
 
-/// So many of the same, written by all threads: the first touch of memory takes time.
+/// A vector of `count` equal values. All threads write it, as the first touch of memory takes time.
 pub(super) fn filled<T: Copy + Send + Sync>(value: T, count: usize) -> Result<Vec<T>, BuildError> {
     let mut made = room(count)?;
     threads::map_into(&mut made, 0..count, record::CHUNK, |_| value);

@@ -64,9 +64,6 @@ struct Areas {
 /// Bits that are left out.
 const REST: u32 = 16;
 
-/// How many subtrees are enough work for all threads.
-const SUBTREES: usize = 256;
-
 impl Areas {
     fn add(&mut self, area: f32) {
         // That of a flat box may be -0, whose first bit is not 0.
@@ -103,8 +100,8 @@ struct Link {
     height: u32,
 }
 
-/// In place of the root's parent.
-const NONE: u32 = u32::MAX;
+/// How many subtrees are enough work for all threads.
+const SUBTREES: usize = 256;
 
 /// A node, and the sibling that it would better have.
 struct Move {
@@ -128,7 +125,7 @@ impl<'a> Tree<'a> {
     /// And the areas of its nodes.
     fn of(nodes: &'a mut [Record], sah: SahOptions) -> Result<(Self, Areas), BuildError> {
         let mut areas = Areas { counts: vec![0; 1 << (u32::BITS - REST)], total: nodes.len() };
-        let mut tree = Self { links: filled(Link { parent: NONE, height: 0 }, nodes.len() / 2)?, nodes, sah };
+        let mut tree = Self { links: filled(Link { parent: 0, height: 0 }, nodes.len() / 2)?, nodes, sah };
         for place in (0..tree.nodes.len() as u32).rev() {
             // Children stand behind their parents, so their heights are known.
             let node = *tree.node(place);

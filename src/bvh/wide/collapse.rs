@@ -161,8 +161,7 @@ fn collapse<const A: usize, V: Precision>(
         let rest = pending.split_off(pending.len().min(8 * threads::count()));
         let parts =
             threads::map(0..pending.len(), 1, |i| collapse.below(Pending { index: 0, ..pending[i].clone() }, 0).0);
-        let parts = parts.into_iter().zip(&pending).map(|(made, Pending { index, .. })| Part::of(made, *index));
-        made.take(parts.collect(), draft.node(0).count())?;
+        made.take(parts.into_iter().zip(pending.iter().map(|root| root.index)), draft.node(0).count())?;
         pending = rest;
     }
     made.nodes.shrink_to_fit();
@@ -316,13 +315,14 @@ fn flattest<const A: usize>(count: u32) -> u32 {
 }
 
 impl<V: Precision, const A: usize> Made<V, A> {
-    /// Takes parts over, of which there will be so many triangles in all.
-    fn take(&mut self, mut parts: Vec<Part<V, A>>, total: u32) -> Result<(), WideError> {
-        let (mut nodes, mut blocks) = (self.nodes.len(), self.blocks.len());
-        for Part { made, root, ancestors, start, .. } in &mut parts {
-            (*ancestors, *start) = (self.nodes[*root].ancestors, [nodes, blocks]);
+    /// Takes parts over, with their roots at these indices. `total` is the number of triangles of the whole hierarchy.
+    fn take(&mut self, made: impl Iterator<Item = (Self, usize)>, total: u32) -> Result<(), WideError> {
+        let (mut nodes, mut blocks, mut parts) = (self.nodes.len(), self.blocks.len(), Vec::new());
+        for (made, root) in made {
+            let start = [nodes, blocks];
             (nodes, blocks) = (nodes + made.nodes.len() - 1, blocks + made.blocks.len());
             (self.levels, self.references) = (self.levels.max(made.levels), self.references + made.references);
+            parts.push(Part { made, root, ancestors: self.nodes[root].ancestors, start });
         }
         if nodes > WideBvh::<A, V>::MAX_NODES {
             return Err(WideError::TooManyNodes);
@@ -371,10 +371,6 @@ struct Part<V: Precision, const A: usize> {
 }
 
 impl<V: Precision, const A: usize> Part<V, A> {
-    fn of(made: Made<V, A>, root: usize) -> Self {
-        Self { made, root, ancestors: [0; A], start: [0; 2] }
-    }
-
     /// Has its nodes name each other by their indices in the whole.
     fn place(&mut self) {
         let (root, [nodes, blocks]) = (self.root, self.start.map(|start| start as u32));

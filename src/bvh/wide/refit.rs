@@ -1,8 +1,8 @@
 //! After vertices have moved: new boxes, and better places for subtrees.
 
 use super::{WideBvh, WideError, collapse, leaf_places};
-use crate::bvh::RefitError;
 use crate::bvh::least::Least;
+use crate::bvh::refit::{RefitError, refuse_revived};
 use crate::geom::lanes::{Block, Precision};
 use crate::geom::{Aabb, Frame, Mesh, Region, Triangle, check_environment};
 use crate::threads;
@@ -37,14 +37,14 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         if found != expected {
             return Err(RefitError::Count { found, expected });
         }
-        let triangle = |prim: u32| Triangle(mesh.triangle(prim as usize));
-        if let Some(prim) = self.left_out().find(|&prim| !triangle(prim).is_degenerate()) {
-            return Err(RefitError::Revived(prim));
+        let held: usize = self.leaf_boxes().map(|(leaf, _)| leaf_places(leaf).len()).sum();
+        if held - self.duplicates < found {
+            refuse_revived(mesh, self.blocks.iter().flat_map(|block| block.prims))?;
         }
         threads::update_anyway(&mut self.blocks, CHUNK, |block| {
             for (lane, prim) in block.prims.into_iter().enumerate() {
                 if (prim as usize) < found {
-                    block.set(lane, &triangle(prim), prim);
+                    block.set(lane, &Triangle(mesh.triangle(prim as usize)), prim);
                 }
             }
         });
@@ -99,21 +99,6 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         (self.nodes, self.levels) = threads::guarded(|| collapse::over_leaves(self))??;
         self.least = Least::default();
         Ok(())
-    }
-
-    /// Triangles of the mesh that are in no leaf.
-    fn left_out(&self) -> impl Iterator<Item = u32> {
-        let held: usize = self.leaf_boxes().map(|(leaf, _)| leaf_places(leaf).len()).sum();
-        let mut is_held = Vec::new();
-        if held - self.duplicates < self.triangles {
-            is_held.resize(self.triangles, false);
-            for prim in self.blocks.iter().flat_map(|block| block.prims) {
-                if let Some(is_held) = is_held.get_mut(prim as usize) {
-                    *is_held = true;
-                }
-            }
-        }
-        (0..).zip(is_held).filter(|(_, is_held)| !is_held).map(|(prim, _)| prim)
     }
 }
 

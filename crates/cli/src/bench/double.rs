@@ -3,7 +3,7 @@
 use clap::builder::{PossibleValue, TypedValueParser};
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Builder, WideBvh};
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::{Aabb, Mesh, Ray};
 use stackless_bvh::trace::{Accuracy, Tracer};
 
 use super::wide::Manner;
@@ -48,8 +48,7 @@ pub(super) fn build(
     places: &[Place],
     manner: Manner,
 ) -> Result<Vec<Box<dyn Contestant>>, Box<dyn std::error::Error>> {
-    let (lo, hi) =
-        scene.mesh.vertices().iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &v| (lo.min(v), hi.max(v)));
+    let Aabb { lo, hi } = Aabb::of(scene.mesh.vertices());
     let extent = f64::from((hi - lo).max_element());
     let mut built = Vec::<Box<dyn Contestant>>::new();
     for &place in places {

@@ -10,7 +10,7 @@ use crate::judge::{Answer, Query};
 
 /// Builds all peers that are there; a note says why one is not.
 pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contestant>> {
-    let vertices: Vec<_> = mesh.vertices().iter().map(glam::Vec3::to_array).collect();
+    let vertices = vertices(mesh);
     let mut built = Vec::<Box<dyn Contestant>>::new();
     for peer in peers::Peer::ALL {
         match timed(|| peer.build(&vertices, mesh.triangles())) {
@@ -24,7 +24,12 @@ pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contest
     built
 }
 
-/// A ray as peers have it.
+/// Vertices as peers take them.
+pub(crate) fn vertices(mesh: &Mesh) -> Vec<[f32; 3]> {
+    mesh.vertices().iter().map(glam::Vec3::to_array).collect()
+}
+
+/// A ray as peers take it.
 pub(crate) fn plain(ray: &Ray) -> peers::Ray {
     peers::Ray {
         origin: ray.origin().to_array(),

@@ -4,11 +4,10 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use cpu_time::ProcessTime;
-use glam::Vec3;
 use serde::Serialize;
 use serde_json::json;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, Degenerate, WideBvh};
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::{Aabb, Mesh, Ray};
 use stackless_bvh::trace::{self, Tracer};
 
 use crate::input::{self, Scene};
@@ -51,7 +50,7 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-/// What came of one way to follow the motion.
+/// Figures of one follower.
 #[derive(Serialize)]
 struct Row {
     scene: String,
@@ -81,17 +80,17 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(true)
 }
 
-/// Who follows the motion.
+/// A tree that follows the motion.
 trait Follower {
     fn name(&self) -> &'static str;
 
     /// Takes on the mesh of a frame.
     fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>>;
 
-    /// Gets ready for these rays, untimed.
+    /// Prepares these rays, untimed.
     fn take(&mut self, _rays: &[Ray]) {}
 
-    /// Closest hits of some of those that were taken; how many there are.
+    /// Traces some of the prepared rays, and counts those that hit.
     fn trace(&self, rays: &[Ray], range: Range<usize>) -> usize;
 }
 
@@ -141,12 +140,11 @@ fn options(builder: Builder) -> BuildOptions {
     BuildOptions { builder, degenerate: Degenerate::Kept, ..BuildOptions::default() }
 }
 
-/// A mesh whose upper end is turned by so many radians.
+/// The mesh twisted about the vertical axis: `turn` radians from its lower end to its upper end.
 fn twisted(mesh: &Mesh, turn: f32) -> Result<Mesh, Box<dyn std::error::Error>> {
-    let (lo, hi) =
-        mesh.vertices().iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(lo, hi), &v| (lo.min(v), hi.max(v)));
-    let (middle, height) = ((lo + hi) * 0.5, (hi.y - lo.y).max(f32::MIN_POSITIVE));
-    let moved = mesh.vertices().iter().map(|&v| (v - middle).rotate_y(turn * (v.y - lo.y) / height) + middle);
+    let bounds = Aabb::of(mesh.vertices());
+    let (middle, height) = (bounds.centroid(), bounds.extent().y.max(f32::MIN_POSITIVE));
+    let moved = mesh.vertices().iter().map(|&v| (v - middle).rotate_y(turn * (v.y - bounds.lo.y) / height) + middle);
     Ok(Mesh::new(moved.collect(), mesh.triangles().to_vec())?)
 }
 
@@ -196,7 +194,7 @@ mod peers {
     use stackless_peers::{Moving, Peer, PeerError, Tracer};
 
     use super::{Follower, Mesh, Range, Ray};
-    use crate::bench::plain;
+    use crate::bench::{plain, vertices};
 
     /// Embree, by refits and by builds; nobody where it is not installed.
     pub(super) fn followers(mesh: &Mesh) -> Result<Vec<Box<dyn Follower>>, PeerError> {
@@ -206,30 +204,34 @@ mod peers {
             moving => moving?,
         };
         let built = Peer::Embree.build(&vertices, mesh.triangles())?;
-        Ok(vec![Box::new(Built { tracer: built, rays: Vec::new() }), Box::new(Refitted { moving, rays: Vec::new() })])
+        let embree = |tree| -> Box<dyn Follower> { Box::new(Embree { tree, rays: Vec::new() }) };
+        Ok(vec![embree(Tree::Built(built)), embree(Tree::Refitted(moving))])
     }
 
-    fn vertices(mesh: &Mesh) -> Vec<[f32; 3]> {
-        mesh.vertices().iter().map(glam::Vec3::to_array).collect()
-    }
-
-    struct Built {
-        tracer: Box<dyn Tracer>,
+    /// Embree's tree of a mesh.
+    struct Embree {
+        tree: Tree,
         rays: Vec<stackless_peers::Ray>,
     }
 
-    struct Refitted {
-        moving: Moving,
-        rays: Vec<stackless_peers::Ray>,
+    enum Tree {
+        Built(Box<dyn Tracer>),
+        Refitted(Moving),
     }
 
-    impl Follower for Built {
+    impl Follower for Embree {
         fn name(&self) -> &'static str {
-            "embree"
+            match self.tree {
+                Tree::Built(_) => "embree",
+                Tree::Refitted(_) => "embree, refit",
+            }
         }
 
         fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>> {
-            self.tracer = Peer::Embree.build(&vertices(mesh), mesh.triangles())?;
+            match &mut self.tree {
+                Tree::Built(tracer) => *tracer = Peer::Embree.build(&vertices(mesh), mesh.triangles())?,
+                Tree::Refitted(moving) => moving.refit(&vertices(mesh))?,
+            }
             Ok(())
         }
 
@@ -238,31 +240,12 @@ mod peers {
         }
 
         fn trace(&self, _: &[Ray], range: Range<usize>) -> usize {
-            hits(&*self.tracer, &self.rays[range])
+            let mut hits = vec![None; range.len()];
+            match &self.tree {
+                Tree::Built(tracer) => tracer.closest(&self.rays[range], &mut hits),
+                Tree::Refitted(moving) => moving.closest(&self.rays[range], &mut hits),
+            }
+            hits.iter().flatten().count()
         }
-    }
-
-    impl Follower for Refitted {
-        fn name(&self) -> &'static str {
-            "embree, refit"
-        }
-
-        fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>> {
-            Ok(self.moving.refit(&vertices(mesh))?)
-        }
-
-        fn take(&mut self, rays: &[Ray]) {
-            self.rays = rays.iter().map(plain).collect();
-        }
-
-        fn trace(&self, _: &[Ray], range: Range<usize>) -> usize {
-            hits(&self.moving, &self.rays[range])
-        }
-    }
-
-    fn hits(tracer: &dyn Tracer, rays: &[stackless_peers::Ray]) -> usize {
-        let mut hits = vec![None; rays.len()];
-        tracer.closest(rays, &mut hits);
-        hits.iter().flatten().count()
     }
 }
