@@ -5,7 +5,7 @@
 use glam::Vec3;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ball;
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::trace::{MeshQueries, Tracer};
 
 /// The distance from the corner of a cube to the soup in it.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {

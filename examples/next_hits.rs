@@ -6,7 +6,7 @@
 use glam::Vec3;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::trace::{MeshQueries, RayQueries, Tracer};
 
 /// How much light comes through a soup of triangles, each of which lets nine tenths pass.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -24,7 +24,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{light:.3} of the light is left after {} triangles: {passed:?}", passed.len());
 
     // Going on until nothing is left gives what a single search for all hits gives.
-    let all = tracer.all(&ray).map(|hit| hit.prim);
+    let all = tracer.all(&ray).into_iter().map(|hit| hit.prim);
     assert!(all.take(passed.len()).eq(passed));
     Ok(())
 }

@@ -5,7 +5,7 @@
 //! ```
 //! # #[cfg(feature = "rays")]
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! use stackless_bvh::{geom::Mesh, geom::Ray, glam::Vec3, trace::Tracer};
+//! use stackless_bvh::{geom::Mesh, geom::Ray, glam::Vec3, trace::RayQueries, trace::Tracer};
 //!
 //! let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 //! let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;

@@ -8,7 +8,7 @@ use stackless_bvh::generate::Source;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{AffineMap, Ends, Mesh, Ray, Real, Triangle};
 use stackless_bvh::hash::checksum;
-use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, Tracer};
+use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, RayQueries, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
 use stackless_bvh::wide;
@@ -95,7 +95,7 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
         assert!(wide.to_bytes() == file, "another file than was read: {file:?}");
         let tracer = Tracer::new(wide);
         for ray in &rays {
-            let (closest, all) = (tracer.closest(ray), tracer.all(ray).next());
+            let (closest, all) = (tracer.closest(ray), tracer.all(ray).into_iter().next());
             assert_eq!(closest, all, "{file:?}\n{ray:?}");
         }
     }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::{EnvironmentError, Kernel as _, Ray};
-use stackless_bvh::trace::{BinaryTracer, Hit};
+use stackless_bvh::trace::{BinaryTracer, Hit, RayQueries};
 
 use crate::kernel::Kernel;
 use crate::launch::compile;

@@ -3,7 +3,7 @@
 mod shaders;
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::trace::BinaryTracer;
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
 
 use crate::kernel::Kernel;
 use crate::made::{self, Made};

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder};
 use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Mesh, Ray, check_environment};
-use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object};
+use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object, RayQueries};
 use stackless_bvh::traverse::Method;
 
 use crate::arrays::{Rays, check_aligned};

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
-use stackless_bvh::trace::{Hit, Near, Tracer};
+use stackless_bvh::trace::{Hit, MeshQueries, Near, RayQueries, Tracer};
 
 use crate::errors::{failed, of_refit, refused};
 

@@ -3,6 +3,7 @@
 mod aabb;
 mod affine;
 mod ball;
+mod boundary;
 mod clip;
 mod enclosed_ray;
 mod environment;
@@ -25,6 +26,7 @@ mod vector;
 pub use aabb::Aabb;
 pub use affine::{AffineError, AffineMap, meet_image};
 pub use ball::{Ball, BallError};
+pub use boundary::{Boundary, OpenEdge};
 pub use enclosed_ray::EnclosedRay;
 pub use environment::{EnvironmentError, check_environment};
 pub use exact_ray::{Ends, ExactPoint, ExactRay};

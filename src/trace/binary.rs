@@ -1,19 +1,20 @@
 //! Ray queries over binary hierarchies, as functions.
 
-mod crossings;
-mod nearest;
-
 use std::borrow::Borrow;
+use std::cell::Cell;
+use std::fmt;
 use std::marker::PhantomData;
-use std::{fmt, slice, vec};
 
+use super::cast::Cast;
 use super::level::Level;
-use super::{Ask, Asked, Following, FromLeft, Hit, NodeSearch, OwnBoxes, Part, Plan, Sweep};
+use super::{
+    Ask, Asked, BoxQuery, Crossings, Following, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints,
+    NodeSearch, OwnBoxes, Part, Plan, RayQueries, Sweep,
+};
 use crate::bvh::{BuildError, Bvh};
-use crate::geom::kernel::{Exact, Real};
+use crate::geom::kernel::{Exact, Parity, Real};
 use crate::geom::slabs::Directed;
-use crate::geom::{EnvironmentError, Kernel, Mesh, Ray, Slabs};
-use crate::threads;
+use crate::geom::{Ball, Kernel, Mesh, Ray, Slabs, Triangle, Vector};
 use crate::traverse::{Method, Unfit, WordName};
 use crate::tree::Node;
 
@@ -23,14 +24,15 @@ use crate::tree::Node;
 /// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one,
 /// always the same. A tracer can be stored, sent and shared by threads as `T` can.
 ///
-/// Each query is there for one ray, for a slice on this thread (`_each`), and for a slice on all threads (`_parallel`).
-/// Whatever the traversal is not made for is found when the tracer is made; a ray cannot fail. The answers are exact
-/// unless other tests are asked for, and then the same for all hierarchies and traversals. `[DET-1]`
+/// Its queries are those of [`RayQueries`] and [`MeshQueries`]. A traversal that does not fit the hierarchy is refused
+/// when the tracer is made; tracing is infallible. Exact tests, the default, give the same answers for all hierarchies
+/// and traversals. `[DET-1]`
 ///
 /// ```
 /// use std::sync::Arc;
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::Mesh, geom::Ray, trace::BinaryTracer, traverse::Method};
+/// use stackless_bvh::{bvh::Bvh, geom::Mesh, geom::Ray, traverse::Method};
+/// use stackless_bvh::trace::{BinaryTracer, RayQueries};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 /// let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
@@ -54,9 +56,6 @@ pub struct BinaryTracer<T = Bvh, K = Exact, B = Directed> {
     watches: bool,
     tests: PhantomData<fn() -> (K, B)>,
 }
-
-/// Rays that a thread takes at once.
-pub(super) const CHUNK: usize = 256;
 
 impl BinaryTracer {
     /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
@@ -137,159 +136,35 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         self.level.bytes()
     }
 
-    /// The closest hit: the least exact distance, and of equal ones the least index. `[EXACT-1]`
-    pub fn closest(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.search_closest(ray, &mut Vec::new(), NodeSearch::hit)
-    }
-
-    /// [`closest`](Self::closest) of each ray, on this thread.
-    pub fn closest_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.search_closest(ray, memory, NodeSearch::hit))
-    }
-
-    /// [`closest`](Self::closest) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn closest_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<Option<Hit<Real<K>>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.search_closest(ray, memory, NodeSearch::hit))
-    }
-
-    /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
+    /// Triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
-        let mut found = [None];
-        self.closest_distances(slice::from_ref(ray), &mut found);
-        found[0]
+        self.search_closest(ray, NodeSearch::found)
     }
 
     /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
     pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
-        let mut memory = Vec::new();
         for (ray, found) in rays.iter().zip(found) {
-            *found = self.search_closest(ray, &mut memory, NodeSearch::found);
+            *found = self.closest_distance(ray);
         }
-    }
-
-    /// Whether there is any hit.
-    pub fn any(&self, ray: &Ray<K::Vector>) -> bool {
-        self.search_any(ray, &mut Vec::new(), NodeSearch::found).is_some()
-    }
-
-    /// [`any`](Self::any) of each ray, on this thread.
-    pub fn any_each(&self, rays: &[Ray<K::Vector>]) -> Vec<bool> {
-        each(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::found).is_some())
-    }
-
-    /// [`any`](Self::any) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn any_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<bool>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::found).is_some())
-    }
-
-    /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
-    pub fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Hit<Real<K>>> {
-        self.search_any(ray, &mut Vec::new(), NodeSearch::hit)
-    }
-
-    /// [`any_hit`](Self::any_hit) of each ray, on this thread.
-    pub fn any_hit_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::hit))
-    }
-
-    /// [`any_hit`](Self::any_hit) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn any_hit_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<Option<Hit<Real<K>>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.search_any(ray, memory, NodeSearch::hit))
-    }
-
-    /// All hits, each triangle once, in the order of exact distance and then of primitive: edges and corners
-    /// included.
-    ///
-    /// ```
-    /// use glam::Vec3;
-    /// use stackless_bvh::{generate::procedural, geom::Ray, trace::BinaryTracer};
-    ///
-    /// let tracer = BinaryTracer::of(&procedural::soup(1, 2000))?;
-    /// let ray = Ray::new(Vec3::new(0.5, 0.5, -1.0), Vec3::Z)?;
-    /// assert!(tracer.all(&ray).is_sorted_by_key(|hit| hit.t));
-    /// assert_eq!(tracer.all(&ray).next(), tracer.closest(&ray));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn all(&self, ray: &Ray<K::Vector>) -> vec::IntoIter<Hit<Real<K>>> {
-        self.all_in(ray, &mut Vec::new()).into_iter()
-    }
-
-    /// [`all`](Self::all) of each ray, on this thread.
-    pub fn all_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Vec<Hit<Real<K>>>> {
-        each(rays, |ray, memory| self.all_in(ray, memory))
-    }
-
-    /// [`all`](Self::all) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn all_parallel(&self, rays: &[Ray<K::Vector>]) -> Result<Vec<Vec<Hit<Real<K>>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray, memory| self.all_in(ray, memory))
-    }
-
-    /// The first hit after a given one (`t`, primitive), in the order of [`all`](Self::all). So hits can be walked through
-    /// one by one: none is lost or met again, not even where many have the same `t`. If the ray does not hit the given
-    /// triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
-    ///
-    /// ```
-    /// # use glam::Vec3;
-    /// # use stackless_bvh::{geom::Ray, geom::Mesh, trace::BinaryTracer};
-    /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
-    /// # let tracer = BinaryTracer::of(&mesh)?;
-    /// # let ray = Ray::new(Vec3::new(0.25, 0.5, -3.0), Vec3::Z)?;
-    /// let mut hits = Vec::new();
-    /// let mut hit = tracer.closest(&ray);
-    /// while let Some(found) = hit {
-    ///     hits.push(found);
-    ///     hit = tracer.next(&ray, (found.t, found.prim));
-    /// }
-    /// assert!(tracer.all(&ray).eq(hits));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn next(&self, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Option<Hit<Real<K>>> {
-        let bvh = self.bvh();
-        let mut search = OwnBoxes::over(Following::<K, B>::new(bvh, ray, after), &self.level.boxes);
-        self.level.run_shared(bvh.tree(), ray.octant(), &mut Vec::new(), &mut search);
-        search.query.hit()
     }
 
     /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it
     /// than the plan wants.
     pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
         let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
-        each(rays, |ray, memory| match (self.ask, self.with_weights) {
-            (Ask::Any, true) => self.search_any(ray, memory, NodeSearch::hit).map(whole),
+        let asked = |ray| match (self.ask, self.with_weights) {
+            (Ask::Any, true) => self.search_any(ray, NodeSearch::hit).map(whole),
             (Ask::Any, false) => {
-                let (prim, _) = self.search_any(ray, memory, NodeSearch::found)?;
+                let (prim, _) = self.search_any(ray, NodeSearch::found)?;
                 Some(Asked { prim, t: None, weights: None })
             }
-            (_, true) => self.search_closest(ray, memory, NodeSearch::hit).map(whole),
+            (_, true) => self.search_closest(ray, NodeSearch::hit).map(whole),
             (_, false) => {
-                let (prim, t) = self.search_closest(ray, memory, NodeSearch::found)?;
+                let (prim, t) = self.search_closest(ray, NodeSearch::found)?;
                 Some(Asked { prim, t: Some(t), weights: None })
             }
-        })
+        };
+        rays.iter().map(asked).collect()
     }
 
     /// What is asked of a closest-hit query that has run to its end. (A query that is returned is so large that it is not
@@ -298,11 +173,10 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     fn search_closest<'a, A>(
         &'a self,
         ray: &Ray<K::Vector>,
-        memory: &mut Vec<Node>,
         answer: impl FnOnce(&NodeSearch<'a, K, B, false>) -> A,
     ) -> A {
         let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
+        with_memory(|memory| self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search));
         answer(&search)
     }
 
@@ -311,18 +185,18 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     fn search_any<'a, A>(
         &'a self,
         ray: &Ray<K::Vector>,
-        memory: &mut Vec<Node>,
         answer: impl FnOnce(&NodeSearch<'a, K, B, true, FromLeft>) -> A,
     ) -> A {
         let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search);
+        with_memory(|memory| self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search));
         answer(&search)
     }
 
-    fn all_in(&self, ray: &Ray<K::Vector>, memory: &mut Vec<Node>) -> Vec<Hit<Real<K>>> {
-        let mut search = OwnBoxes::over(self.sweep(ray), &self.level.boxes);
-        self.level.run_shared(self.bvh().tree(), ray.octant(), memory, &mut search);
-        search.query.hits()
+    /// Runs a rare query to its end.
+    fn run_shared<Q: BoxQuery>(&self, octant: u8, query: Q) -> Q {
+        let mut search = OwnBoxes::over(query, &self.level.boxes);
+        with_memory(|memory| self.level.run_shared(self.bvh().tree(), octant, memory, &mut search));
+        search.query
     }
 
     pub(super) fn sweep(&self, ray: &Ray<K::Vector>) -> Sweep<'_, K, B> {
@@ -330,18 +204,67 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     }
 }
 
-/// Answers one after the other, with memory that is kept in between.
-fn each<I, A>(items: &[I], answer: impl Fn(&I, &mut Vec<Node>) -> A) -> Vec<A> {
-    let mut memory = Vec::new();
-    items.iter().map(|item| answer(item, &mut memory)).collect()
+impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> RayQueries<Ray<K::Vector>>
+    for BinaryTracer<T, K, B>
+{
+    type Hit = Hit<Real<K>>;
+
+    fn closest(&self, ray: &Ray<K::Vector>) -> Option<Self::Hit> {
+        self.search_closest(ray, NodeSearch::hit)
+    }
+
+    fn any(&self, ray: &Ray<K::Vector>) -> bool {
+        self.search_any(ray, NodeSearch::found).is_some()
+    }
+
+    fn any_hit(&self, ray: &Ray<K::Vector>) -> Option<Self::Hit> {
+        self.search_any(ray, NodeSearch::hit)
+    }
+
+    fn all(&self, ray: &Ray<K::Vector>) -> Vec<Self::Hit> {
+        self.run_shared(ray.octant(), self.sweep(ray)).hits()
+    }
 }
 
-/// The same on all threads.
-fn in_parallel<I: Sync, A: Send>(
-    items: &[I],
-    answer: impl Fn(&I, &mut Vec<Node>) -> A + Sync + Send,
-) -> Result<Vec<A>, EnvironmentError> {
-    threads::guarded(|| threads::map_with(0..items.len(), CHUNK, Vec::new, |memory, i| answer(&items[i], memory)))
+impl<T, K, B, V> MeshQueries<V> for BinaryTracer<T, K, B>
+where
+    T: Borrow<Bvh<Triangle<V>>>,
+    K: Parity<Vector = V, Shape = Triangle<V>>,
+    B: Slabs<Vector = V>,
+    V: Vector,
+{
+    fn next(&self, ray: &Ray<V>, after: (V::Real, u32)) -> Option<Hit<V::Real>> {
+        self.run_shared(ray.octant(), Following::<K, B>::new(self.bvh(), ray, after)).hit()
+    }
+
+    fn crossings(&self, ray: &Ray<V>) -> u32 {
+        self.run_shared(ray.octant(), Crossings::<K, B>::over(Cast::new(self.bvh(), ray))).count()
+    }
+
+    fn winding(&self, ray: &Ray<V>) -> i32 {
+        self.run_shared(ray.octant(), Crossings::<K, B>::over(Cast::new(self.bvh(), ray)).with_signs()).winding()
+    }
+
+    fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>> {
+        self.run_shared(0, NearestPoint::new(self.bvh(), ball)).near()
+    }
+
+    fn nearest_k(&self, ball: &Ball<V>, k: usize) -> Vec<Near<V>> {
+        self.run_shared(0, NearestPoints::new(self.bvh(), ball, k)).nears().collect()
+    }
+}
+
+/// Lends the stack of this thread: to allocate one for each ray would cost a traversal with a stack a tenth of its time.
+#[inline]
+fn with_memory<R>(run: impl FnOnce(&mut Vec<Node>) -> R) -> R {
+    thread_local! {
+        static MEMORY: Cell<Vec<Node>> = const { Cell::new(Vec::new()) };
+    }
+    let mut memory = MEMORY.try_with(Cell::take).unwrap_or_default();
+    let ran = run(&mut memory);
+    // A thread that ends keeps nothing any more.
+    _ = MEMORY.try_with(|kept| kept.set(memory));
+    ran
 }
 
 impl<T, K, B> fmt::Debug for BinaryTracer<T, K, B> {

@@ -29,7 +29,8 @@ pub struct Place(Node);
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, generate::procedural, trace::{Continuation, BinaryTracer}};
+/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, generate::procedural};
+/// use stackless_bvh::trace::{BinaryTracer, Continuation, RayQueries};
 ///
 /// let mesh = procedural::soup(1, 500);
 /// let bvh = Bvh::sah(&mesh, SahOptions::default())?;
@@ -236,6 +237,7 @@ mod tests {
     use super::*;
     use crate::bvh::{BuildOptions, Builder};
     use crate::generate::procedural;
+    use crate::trace::RayQueries;
     use crate::traverse::Method;
 
     /// [PAUSE-7]

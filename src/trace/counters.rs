@@ -10,7 +10,7 @@ use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor
 use crate::threads;
 use crate::tree::{Node, Reach};
 
-use super::binary::CHUNK;
+use super::ray_queries::CHUNK;
 use super::{BinaryTracer, BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch};
 
 /// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.

@@ -150,6 +150,8 @@ pub struct Crossings<'a, K: Kernel = Exact, B = Directed, H = Bvh<<K as Kernel>:
     pub(super) cast: Cast<'a, K, B, H>,
     repeats: Repeats,
     count: u32,
+    /// The sum of senses, if it is wanted.
+    winding: Option<i32>,
 }
 
 impl<'a> Crossings<'a> {
@@ -162,7 +164,18 @@ impl<'a> Crossings<'a> {
 impl<'a, K: Parity, B, H: Held<K::Shape>> Crossings<'a, K, B, H> {
     pub(super) fn over(cast: Cast<'a, K, B, H>) -> Self {
         let repeats = Repeats::new(cast.bvh.has_repeats());
-        Self { cast, repeats, count: 0 }
+        Self { cast, repeats, count: 0, winding: None }
+    }
+
+    /// The same with signs, for [`winding`](Self::winding).
+    pub(super) fn with_signs(self) -> Self {
+        Self { winding: Some(0), ..self }
+    }
+
+    /// How often the ray leaves the solid, less how often it enters: the winding number of its origin, if the mesh is closed
+    /// and oriented, the ray has no end, and its origin is not on the mesh. `[PARITY-1]`
+    pub(super) fn winding(&self) -> i32 {
+        self.winding.unwrap_or(0)
     }
 
     /// How many triangles are crossed, after the traversal.
@@ -177,8 +190,15 @@ impl<'a, K: Parity, B, H: Held<K::Shape>> Crossings<'a, K, B, H> {
 
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: Cast { bvh, kernel, .. }, repeats, count } = self;
-        bvh.for_each(leaf, |_, shape, prim| *count += u32::from(kernel.is_crossing(shape) && repeats.is_new(prim)));
+        let Self { cast: Cast { bvh, kernel, .. }, repeats, count, winding } = self;
+        bvh.for_each(leaf, |_, shape, prim| {
+            if kernel.is_crossing(shape) && repeats.is_new(prim) {
+                *count += 1;
+                if let Some(sum) = winding {
+                    *sum += kernel.sense(shape);
+                }
+            }
+        });
     }
 }
 

@@ -28,11 +28,11 @@ use crate::bvh::Bvh;
 use crate::geom::truth::{Number, Point};
 use crate::geom::{AffineMap, Approach, EnclosedRay, ExactPoint, ExactRay, Region, Triangle, Vector};
 use crate::trace::level::Level;
-use crate::trace::{Ask, Plan};
+use crate::trace::{Ask, Plan, RayQueries};
 use crate::traverse::{Method, Unfit};
 use crate::wide;
 use assembly::{Group, Part};
-use walk::{Found, Instances, Search, Triangles, walk};
+use walk::{Found, Instances, Search, Triangles, Wanted, walk};
 use wide_walk::{WideLevel, WideObject};
 
 /// Answers queries over an object of an assembly by one of the traversals. It shares the hierarchies with the assembly,
@@ -43,7 +43,7 @@ use wide_walk::{WideLevel, WideObject};
 /// use stackless_bvh::bvh::{BuildOptions, Bvh};
 /// use stackless_bvh::geom::{AffineMap, Ray};
 /// use stackless_bvh::geom::Mesh;
-/// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
+/// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, RayQueries};
 /// use stackless_bvh::traverse::Method;
 ///
 /// let bvh = Bvh::median(&Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?, 1)?;
@@ -172,12 +172,6 @@ impl<V: Vector> InstanceTracer<V> {
         Ok(self)
     }
 
-    /// The closest hit: the least exact distance, of equal ones the least path, and of these the least triangle. `[INST-6]`
-    /// The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
-    pub fn closest(&self, ray: impl Into<ExactRay<V>>) -> Option<InstanceHit<V::Real>> {
-        self.closest_and_found(&ray.into()).map(|(hit, _)| hit)
-    }
-
     /// The closest hit and the point of it, from which rays may go on: exactly there, without a distance that is added
     /// for safety. `[SECOND-1]`
     ///
@@ -203,25 +197,24 @@ impl<V: Vector> InstanceTracer<V> {
     /// ```
     pub fn closest_and_point(&self, ray: impl Into<ExactRay<V>>) -> Option<(InstanceHit<V::Real>, ExactPoint<V>)> {
         let ray = ray.into();
-        let (hit, Found { triangle, test, .. }) = self.closest_and_found(&ray)?;
+        let found = self.search(&ray, Wanted::Closest).found.pop()?;
+        let Found { triangle, test, .. } = found;
+        let hit = self.hit(&ray, found)?;
         let point = ExactPoint::of(ray, &triangle, self.maps(&hit.path), test.span(&triangle));
         Some((hit, point))
     }
 
-    fn closest_and_found(&self, ray: &ExactRay<V>) -> Option<(InstanceHit<V::Real>, Found<V>)> {
-        let mut search = self.search(ray, false);
-        let (t, mut found) = (search.t, search.found.take()?);
-        let Found { prim, triangle, test, .. } = found;
-        let path = std::mem::take(&mut found.path);
+    fn one(&self, ray: &ExactRay<V>, wanted: Wanted) -> Option<InstanceHit<V::Real>> {
+        self.hit(ray, self.search(ray, wanted).found.pop()?)
+    }
+
+    /// The hit, with its weights.
+    fn hit(&self, ray: &ExactRay<V>, found: Found<V>) -> Option<InstanceHit<V::Real>> {
+        let Found { t, path, prim, triangle, test } = found;
         let fine = || ray.fine_weights(&triangle, &self.maps(&path));
         let exact = || ray.meet(&triangle, &self.maps(&path)).map(|Point { u, v, .. }| [&u, &v].map(V::Real::nearest));
         let [u, v] = test.weights(&triangle).or_else(fine).or_else(exact)?;
-        Some((InstanceHit { path, prim, t, u, v }, found))
-    }
-
-    /// Whether there is any hit. The ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
-    pub fn any(&self, ray: impl Into<ExactRay<V>>) -> bool {
-        self.search(&ray.into(), true).found.is_some()
+        Some(InstanceHit { path, prim, t, u, v })
     }
 
     /// What the closest hits of these rays cost.
@@ -229,7 +222,7 @@ impl<V: Vector> InstanceTracer<V> {
     where
         &'r R: Into<ExactRay<V>>,
     {
-        self.count(rays, false)
+        self.count(rays, Wanted::Closest)
     }
 
     /// What any hits of these rays cost.
@@ -237,14 +230,14 @@ impl<V: Vector> InstanceTracer<V> {
     where
         &'r R: Into<ExactRay<V>>,
     {
-        self.count(rays, true)
+        self.count(rays, Wanted::Any)
     }
 
-    fn count<'r, R>(&self, rays: &'r [R], any: bool) -> InstanceCounts
+    fn count<'r, R>(&self, rays: &'r [R], wanted: Wanted) -> InstanceCounts
     where
         &'r R: Into<ExactRay<V>>,
     {
-        rays.iter().map(|ray| self.search(&ray.into(), any).counts).fold(InstanceCounts::default(), |a, b| {
+        rays.iter().map(|ray| self.search(&ray.into(), wanted).counts).fold(InstanceCounts::default(), |a, b| {
             InstanceCounts {
                 instances: a.instances + b.instances,
                 triangles: a.triangles + b.triangles,
@@ -274,8 +267,8 @@ impl<V: Vector> InstanceTracer<V> {
         bytes.last().copied().unwrap_or(0)
     }
 
-    fn search<'r>(&self, ray: &'r ExactRay<V>, any: bool) -> Search<'r, V> {
-        let mut search = Search::new(ray, any);
+    fn search<'r>(&self, ray: &'r ExactRay<V>, wanted: Wanted) -> Search<'r, V> {
+        let mut search = Search::new(ray, wanted);
         self.visit(self.root, ray.enclosed(), &mut search);
         search
     }
@@ -324,6 +317,36 @@ impl<V: Vector> InstanceTracer<V> {
         }
         maps.reverse();
         maps
+    }
+}
+
+/// The closest hit has the least exact distance, of equal ones the least path, and of these the least triangle. `[INST-6]` A
+/// ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
+impl<V: Vector, R: Sync> RayQueries<R> for InstanceTracer<V>
+where
+    for<'r> &'r R: Into<ExactRay<V>>,
+{
+    type Hit = InstanceHit<V::Real>;
+
+    fn closest(&self, ray: &R) -> Option<Self::Hit> {
+        self.one(&ray.into(), Wanted::Closest)
+    }
+
+    fn any(&self, ray: &R) -> bool {
+        !self.search(&ray.into(), Wanted::Any).found.is_empty()
+    }
+
+    fn any_hit(&self, ray: &R) -> Option<Self::Hit> {
+        self.one(&ray.into(), Wanted::AnyHit)
+    }
+
+    fn all(&self, ray: &R) -> Vec<Self::Hit> {
+        let ray = ray.into();
+        let mut found = self.search(&ray, Wanted::All).found;
+        found.sort_by(|a, b| a.order(b, self, &ray));
+        // A triangle may be in several leaves.
+        found.dedup_by(|a, b| a.path == b.path && a.prim == b.prim);
+        found.into_iter().filter_map(|found| self.hit(&ray, found)).collect()
     }
 }
 

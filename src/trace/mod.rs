@@ -6,24 +6,18 @@
 //! every tree over the same mesh, every order and every traversal. `[DET-1]` Of an any-hit query, only whether there is
 //! a hit is.
 //!
-//! # A ray's way
+//! # Tracers
 //!
-//! [`Tracer`] is the front door: it answers all queries, exactly, over a hierarchy of eight children. [`BinaryTracer`]
-//! answers them over a binary hierarchy, by any traversal of both papers and by any tests. From there to the loop of
-//! all traversals a ray passes five functions:
+//! | tracer | over | queries |
+//! |---|---|---|
+//! | [`Tracer`], the front door | a hierarchy of eight children | [`RayQueries`], [`MeshQueries`] |
+//! | [`BinaryTracer`] | a binary hierarchy, by any traversal of both papers and by any tests | the same |
+//! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that begin on a surface | [`RayQueries`] |
 //!
-//! | function | what it decides |
-//! |---|---|
-//! | [`BinaryTracer::closest`], or another query | which search: what is looked for, in which order, by which tests |
-//! | `Level::run` | the word of the keys; whether this search may be pruned |
-//! | [`Method::dispatch`](crate::traverse::Method::dispatch) | the traversal, by its name |
-//! | [`Context::by_parent`](crate::traverse::Context::by_parent) | that its cursor runs to the end |
-//! | [`traverse_pruned`](crate::traverse::traverse_pruned) | the loop |
-//!
-//! Whether all these fit is found when the tracer is made ([`Unfit`](crate::traverse::Unfit)); a ray cannot fail. What
-//! is not a mesh, a ray, a ball or options of a builder is refused where it enters
+//! A tracer refuses a traversal that does not fit when it is made ([`Unfit`](crate::traverse::Unfit)). Tracing is
+//! infallible. Meshes, rays, balls and options of builders are checked where they enter
 //! ([`MeshError`](crate::geom::MeshError), [`RayError`](crate::geom::RayError), [`BallError`](crate::geom::BallError),
-//! [`BuildError`](crate::bvh::BuildError)).
+//! [`BuildError`](crate::bvh::BuildError)). ARCHITECTURE.md lists the functions that a ray passes.
 
 mod accuracy;
 mod binary;
@@ -38,11 +32,14 @@ mod forms;
 mod held;
 mod instances;
 mod level;
+mod mesh_queries;
 mod nearest;
 mod next;
 mod plan;
 mod query;
+mod ray_queries;
 mod search;
+mod solid;
 mod tracer;
 pub mod truth;
 
@@ -59,11 +56,14 @@ pub use held::Held;
 pub use instances::{
     Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
 };
+pub use mesh_queries::MeshQueries;
 pub use nearest::{Near, NearestPoint, NearestPoints};
 pub use next::Following;
 pub use plan::{Ask, Asked, Choice, Decision, Need, Part, Plan};
 pub use query::{BoxQuery, OwnBoxes, Query};
+pub use ray_queries::RayQueries;
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
+pub use solid::{Location, Rule, Solid, SolidError};
 pub use tracer::Tracer;
 pub use truth::{TrueHit, Truth};
 

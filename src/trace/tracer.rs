@@ -6,18 +6,16 @@ mod shared;
 mod turns;
 
 use std::borrow::Borrow;
+use std::fmt;
 use std::marker::PhantomData;
-use std::{fmt, vec};
 
 use glam::Vec3;
 
-use super::binary::CHUNK;
 use super::cast::Cast;
-use super::{Crossings, Following, Hit, Near, NearestPoint, NearestPoints, Sweep, next};
+use super::{Crossings, Following, Hit, MeshQueries, Near, NearestPoint, NearestPoints, RayQueries, Sweep, next};
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, Precision, with_baseline};
-use crate::geom::{Ball, EnvironmentError, Mesh, Ray};
-use crate::threads;
+use crate::geom::{Ball, Mesh, Ray};
 use crate::tree::Node;
 use crate::wide::{Method, Tables, Unfit, Wanted};
 use shared::{LaneRay, Query};
@@ -32,13 +30,12 @@ pub(super) use turns::with_memory;
 /// other shapes, for other tests and for the traversals of binary trees; its answers are the same, bit for bit. `[DET-1]`
 ///
 /// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one, and `V` the precision, [`Vec3`] or
-/// [`DVec3`](glam::DVec3). Each query is there for one ray, for
-/// a slice on this thread (`_each`), and for a slice on all threads (`_parallel`). Of several rays two are traced in
-/// turns, so that one computes while the other waits for memory.
+/// [`DVec3`](glam::DVec3). The queries are those of [`RayQueries`] and [`MeshQueries`]. Slices of rays are traced
+/// interleaved, two at a time, so that one ray computes while the other waits for memory.
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{geom::Mesh, geom::Ray, trace::Tracer};
+/// use stackless_bvh::{geom::Mesh, geom::Ray, trace::RayQueries, trace::Tracer};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 /// let tracer = Tracer::of(&mesh)?;
@@ -117,28 +114,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         self.tables.bytes()
     }
 
-    /// The closest hit: the least exact distance, and of equal ones the least index. `[EXACT-1]`
-    pub fn closest(&self, ray: &Ray<V>) -> Option<Hit<V::Real>> {
-        self.one(ray, Ask::Closest)
-    }
-
-    /// [`closest`](Self::closest) of each ray, on this thread.
-    pub fn closest_each(&self, rays: &[Ray<V>]) -> Vec<Option<Hit<V::Real>>> {
-        self.each(rays, Ask::Closest, |hit| hit)
-    }
-
-    /// [`closest`](Self::closest) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn closest_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<Option<Hit<V::Real>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        self.parallel(rays, Ask::Closest, |hit| hit)
-    }
-
-    /// Triangle and distance of the [`closest`](Self::closest) hit, without its weights.
+    /// Triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<V>) -> Option<(u32, V::Real)> {
         self.one(ray, Ask::Distance).map(distance)
     }
@@ -149,168 +125,11 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         self.run_fit(&rays[..count], Ask::Distance, &mut |i, hit: Option<Hit<V::Real>>| found[i] = hit.map(distance));
     }
 
-    /// Whether there is any hit.
-    pub fn any(&self, ray: &Ray<V>) -> bool {
-        self.one(ray, Ask::Any).is_some()
-    }
-
-    /// [`any`](Self::any) of each ray, on this thread.
-    pub fn any_each(&self, rays: &[Ray<V>]) -> Vec<bool> {
-        self.each(rays, Ask::Any, |hit| hit.is_some())
-    }
-
-    /// [`any`](Self::any) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn any_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<bool>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        self.parallel(rays, Ask::Any, |hit| hit.is_some())
-    }
-
-    /// Any hit, whole: the first that is met, which depends on hierarchy and traversal.
-    pub fn any_hit(&self, ray: &Ray<V>) -> Option<Hit<V::Real>> {
-        self.one(ray, Ask::AnyHit)
-    }
-
-    /// [`any_hit`](Self::any_hit) of each ray, on this thread.
-    pub fn any_hit_each(&self, rays: &[Ray<V>]) -> Vec<Option<Hit<V::Real>>> {
-        self.each(rays, Ask::AnyHit, |hit| hit)
-    }
-
-    /// [`any_hit`](Self::any_hit) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn any_hit_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<Option<Hit<V::Real>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        self.parallel(rays, Ask::AnyHit, |hit| hit)
-    }
-
-    /// All hits, each triangle once, in the order of exact distance and then of primitive: edges and corners
-    /// included.
-    pub fn all(&self, ray: &Ray<V>) -> vec::IntoIter<Hit<V::Real>> {
-        self.all_hits(ray).into_iter()
-    }
-
-    /// [`all`](Self::all) of each ray, on this thread.
-    pub fn all_each(&self, rays: &[Ray<V>]) -> Vec<Vec<Hit<V::Real>>> {
-        rays.iter().map(|ray| self.all_hits(ray)).collect()
-    }
-
-    /// [`all`](Self::all) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn all_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<Vec<Hit<V::Real>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray| self.all_hits(ray))
-    }
-
-    /// The first hit after a given one (`t`, primitive), in the order of [`all`](Self::all). So hits can be walked through
-    /// one by one: none is lost or met again, not even where many have the same `t`. If the ray does not hit the given
-    /// triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
-    pub fn next(&self, ray: &Ray<V>, after: (V::Real, u32)) -> Option<Hit<V::Real>> {
-        let bvh = self.bvh();
-        with_baseline!(simd => {
-            let cast = Cast::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
-            let mut query = Following::over(cast, after);
-            self.run_shared(&mut query);
-            query.hit()
-        })
-    }
-
-    /// How often the ray crosses a closed mesh, where a crossing at an edge or a corner is one, and touching is none:
-    /// an odd number of times from a point inside, an even number from a point outside. `[PARITY-1]`
-    ///
-    /// ```
-    /// use glam::Vec3;
-    /// use stackless_bvh::{generate::stress, geom::Ray, trace::Tracer};
-    ///
-    /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
-    /// let tracer = Tracer::of(&mesh)?;
-    /// for &corner in mesh.vertices() {
-    ///     assert_eq!(tracer.crossings(&Ray::new(Vec3::ZERO, corner)?) % 2, 1);
-    /// }
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn crossings(&self, ray: &Ray<V>) -> u32 {
-        let bvh = self.bvh();
-        with_baseline!(simd => {
-            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
-            self.run_shared(&mut query);
-            query.count()
-        })
-    }
-
-    /// [`crossings`](Self::crossings) of each ray, on this thread.
-    pub fn crossings_each(&self, rays: &[Ray<V>]) -> Vec<u32> {
-        rays.iter().map(|ray| self.crossings(ray)).collect()
-    }
-
-    /// [`crossings`](Self::crossings) of each ray, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn crossings_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<u32>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(rays, |ray| self.crossings(ray))
-    }
-
-    /// The point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]`
-    pub fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>> {
-        let mut query = NearestPoint::new(self.bvh(), ball);
-        self.run_shared(&mut query);
-        query.near()
-    }
-
-    /// [`nearest`](Self::nearest) of each ball, on this thread.
-    pub fn nearest_each(&self, balls: &[Ball<V>]) -> Vec<Option<Near<V>>> {
-        balls.iter().map(|ball| self.nearest(ball)).collect()
-    }
-
-    /// [`nearest`](Self::nearest) of each ball, on all threads.
-    ///
-    /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
-    pub fn nearest_parallel(&self, balls: &[Ball<V>]) -> Result<Vec<Option<Near<V>>>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        in_parallel(balls, |ball| self.nearest(ball))
-    }
-
-    /// The `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
-    /// there are in the ball. `[NEAR-2]`
-    pub fn nearest_k(&self, ball: &Ball<V>, k: usize) -> Vec<Near<V>> {
-        let mut query = NearestPoints::new(self.bvh(), ball, k);
-        self.run_shared(&mut query);
-        query.nears().collect()
-    }
-
     /// What a ray wants of an inner node before anything is hit: the children whose boxes it meets, with the ranks by
     /// which they come. For whoever shows a traversal, or counts. `[LANES-2]`
     pub fn wanted(&self, ray: &Ray<V>, node: Node) -> Wanted<[u32; 8]> {
         let bvh = self.bvh();
         with_baseline!(simd => Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)).ask(node))
-    }
-
-    fn all_hits(&self, ray: &Ray<V>) -> Vec<Hit<V::Real>> {
-        let bvh = self.bvh();
-        with_baseline!(simd => {
-            let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-            let mut query = Sweep::over(cast, bvh.duplicates() > 0);
-            self.run_shared(&mut query);
-            query.hits()
-        })
     }
 
     fn run_shared(&self, query: &mut dyn Query) {
@@ -335,19 +154,6 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         answers
     }
 
-    fn parallel<A: Clone + Default + Send>(
-        &self,
-        rays: &[Ray<V>],
-        ask: Ask,
-        answer: impl Fn(Option<Hit<V::Real>>) -> A + Sync + Send,
-    ) -> Result<Vec<A>, EnvironmentError>
-    where
-        T: Sync,
-    {
-        let chunks: Vec<_> = rays.chunks(CHUNK).collect();
-        threads::guarded(|| threads::map(0..chunks.len(), 1, |i| self.each(chunks[i], ask, &answer)).concat())
-    }
-
     /// Whether the traversal fits was found when the tracer was made.
     fn run_fit(&self, rays: &[Ray<V>], ask: Ask, answer: &mut Answer<'_, V>) {
         let ran = self.run(rays, ask, answer);
@@ -363,12 +169,84 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     }
 }
 
-/// Answers each, on all threads.
-fn in_parallel<I: Sync, A: Send>(
-    items: &[I],
-    answer: impl Fn(&I) -> A + Sync + Send,
-) -> Result<Vec<A>, EnvironmentError> {
-    threads::guarded(|| threads::map(0..items.len(), CHUNK, |i| answer(&items[i])))
+impl<V: Precision, T: Borrow<WideBvh<8, V>>> RayQueries<Ray<V>> for Tracer<T, V> {
+    type Hit = Hit<V::Real>;
+
+    fn closest(&self, ray: &Ray<V>) -> Option<Self::Hit> {
+        self.one(ray, Ask::Closest)
+    }
+
+    fn any(&self, ray: &Ray<V>) -> bool {
+        self.one(ray, Ask::Any).is_some()
+    }
+
+    fn any_hit(&self, ray: &Ray<V>) -> Option<Self::Hit> {
+        self.one(ray, Ask::AnyHit)
+    }
+
+    fn all(&self, ray: &Ray<V>) -> Vec<Self::Hit> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+            let mut query = Sweep::over(cast, bvh.duplicates() > 0);
+            self.run_shared(&mut query);
+            query.hits()
+        })
+    }
+
+    fn closest_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
+        self.each(rays, Ask::Closest, |hit| hit)
+    }
+
+    fn any_each(&self, rays: &[Ray<V>]) -> Vec<bool> {
+        self.each(rays, Ask::Any, |hit| hit.is_some())
+    }
+
+    fn any_hit_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
+        self.each(rays, Ask::AnyHit, |hit| hit)
+    }
+}
+
+impl<V: Precision, T: Borrow<WideBvh<8, V>>> MeshQueries<V> for Tracer<T, V> {
+    fn next(&self, ray: &Ray<V>, after: (V::Real, u32)) -> Option<Hit<V::Real>> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = Cast::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
+            let mut query = Following::over(cast, after);
+            self.run_shared(&mut query);
+            query.hit()
+        })
+    }
+
+    fn crossings(&self, ray: &Ray<V>) -> u32 {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
+            self.run_shared(&mut query);
+            query.count()
+        })
+    }
+
+    fn winding(&self, ray: &Ray<V>) -> i32 {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh))).with_signs();
+            self.run_shared(&mut query);
+            query.winding()
+        })
+    }
+
+    fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>> {
+        let mut query = NearestPoint::new(self.bvh(), ball);
+        self.run_shared(&mut query);
+        query.near()
+    }
+
+    fn nearest_k(&self, ball: &Ball<V>, k: usize) -> Vec<Near<V>> {
+        let mut query = NearestPoints::new(self.bvh(), ball, k);
+        self.run_shared(&mut query);
+        query.nears().collect()
+    }
 }
 
 fn distance<R: Copy>(hit: Hit<R>) -> (u32, R) {

@@ -7,7 +7,7 @@ use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape, pro
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use stackless_bvh::trace::{Any, Ask, BinaryTracer, Closest, NodeSearch, Part, Plan, Truth};
+use stackless_bvh::trace::{Any, Ask, BinaryTracer, Closest, NodeSearch, Part, Plan, RayQueries, Truth};
 use stackless_bvh::traverse::{Method, Tables, Unfit};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::Case;

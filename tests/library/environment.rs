@@ -12,7 +12,7 @@ use stackless_bvh::geom::{
     AffineMap, Ball, Ends, EnvironmentError, ExactPoint, ExactRay, Mesh, Ray, RayError, check_environment,
 };
 use stackless_bvh::glam::Vec3;
-use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, Object, Tracer};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, MeshQueries, Object, RayQueries, Tracer};
 
 /// Bits of the control register, and what is wrong then.
 const MODES: [(&str, Result<(), EnvironmentError>); 6] = [

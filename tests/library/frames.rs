@@ -9,7 +9,7 @@ use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Mesh, Ray, Triangle};
-use stackless_bvh::trace::{self, BinaryTracer, TrueHit, Truth};
+use stackless_bvh::trace::{self, BinaryTracer, MeshQueries, RayQueries, TrueHit, Truth};
 use stackless_bvh::traverse::Method;
 
 type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Wide>;
@@ -92,7 +92,7 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
                     let expected: Vec<_> = truth.all(ray).iter().map(TrueHit::rounded).collect();
                     assert_eq!(tracer.closest(ray), expected.first().copied(), "{place:?} {builder} {ray:?}");
                     assert_eq!(tracer.any(ray), !expected.is_empty(), "{place:?} {builder} {ray:?}");
-                    assert!(tracer.all(ray).eq(expected.iter().copied()), "{place:?} {builder} {ray:?}");
+                    assert!(tracer.all(ray) == expected, "{place:?} {builder} {ray:?}");
                 }
             }
             for bvh in [&bvh, &back] {
@@ -101,7 +101,7 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
                     let expected: Vec<_> = truth.all(ray).iter().map(TrueHit::rounded).collect();
                     assert_eq!(tracer.closest(ray), expected.first().copied(), "{place:?} {builder} {ray:?}");
                     assert_eq!(tracer.any(ray), !expected.is_empty(), "{place:?} {builder} {ray:?}");
-                    assert!(tracer.all(ray).eq(expected.iter().copied()), "{place:?} {builder} {ray:?}");
+                    assert!(tracer.all(ray) == expected, "{place:?} {builder} {ray:?}");
                     let next = expected.first().and_then(|hit| tracer.next(ray, (hit.t, hit.prim)));
                     assert_eq!(next, expected.get(1).copied(), "{place:?} {builder} {ray:?}");
                     hits += expected.len();

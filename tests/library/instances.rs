@@ -13,7 +13,9 @@ use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{Rng, Source, stress};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{AffineMap, Ends, ExactRay, Mesh, Ray, Real, Vector};
-use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object};
+use stackless_bvh::trace::{
+    Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object, RayQueries,
+};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::{self, Topology};
 use stackless_check::{Flat, Hierarchies, Shape, check_answer, check_instances};
@@ -86,16 +88,17 @@ fn cut<V: Precision>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<
 
 /// Every scene by every traversal, alone and with another one inside, over four kinds of trees; and with wide meshes.
 fn answers_are_those_of_rational_arithmetic<V: Kind>() {
-    let (mut hits, mut asked, mut deep, mut tracers) = (0, 0, 0, 0);
+    let (mut hits, mut several, mut asked, mut deep, mut tracers) = (0, 0, 0, 0, 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
         let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(seed as u64));
-        let mut cases: Vec<_> = rays(&flat, &mut rng, 18).into_iter().map(|ray| (ray, flat.closest(&ray))).collect();
+        let mut cases: Vec<_> = rays(&flat, &mut rng, 18).into_iter().map(|ray| (ray, flat.all(&ray))).collect();
         let cut: Vec<_> =
-            cases.iter().take(10).filter_map(|(ray, hit)| hit.as_ref().map(|hit| cut(ray, hit))).flatten().collect();
-        cases.extend(cut.into_iter().map(|ray| (ray, flat.closest(&ray))));
+            cases.iter().take(10).filter_map(|(ray, hits)| hits.first().map(|hit| cut(ray, hit))).flatten().collect();
+        cases.extend(cut.into_iter().map(|ray| (ray, flat.all(&ray))));
         asked += cases.len();
-        hits += cases.iter().filter(|(_, hit)| hit.is_some()).count();
-        deep += cases.iter().flat_map(|(_, hit)| hit).filter(|hit| hit.path.len() > 1).count();
+        hits += cases.iter().filter(|(_, hits)| !hits.is_empty()).count();
+        deep += cases.iter().filter_map(|(_, hits)| hits.first()).filter(|hit| hit.path.len() > 1).count();
+        several += cases.iter().filter(|(_, hits)| hits.len() > 1).count();
         for (builder, leaf) in [(Builder::Median, 1), (Builder::Standard, 1), (Builder::Spatial, 2), (Builder::Fast, 4)]
         {
             let built = hierarchies(scene, builder, leaf);
@@ -132,6 +135,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     // Of 21 traversals in pairs and alone, over four kinds of trees, `complete` takes part over one.
     assert!(tracers >= 36 * (42 + 3 * 39), "{tracers}");
     assert!(asked > 1500 && hits > asked / 2 && deep > 50, "{hits} of {asked}, {deep}");
+    assert!(several > asked / 10, "{several} of {asked}");
 }
 
 #[test]
@@ -158,10 +162,15 @@ fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
         let rays = rays(&flat, &mut rng, 300);
         asked += rays.len();
         for ray in &rays {
-            let hit = flat.closest(ray);
+            let hits = flat.all(ray);
             for tracer in [&tracer, &wide] {
-                check_answer(tracer, &hit, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
+                check_answer(tracer, &hits, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
             }
+        }
+        for tracer in [&tracer, &wide] {
+            assert_eq!(tracer.closest_parallel(&rays), Ok(rays.iter().map(|ray| tracer.closest(ray)).collect()));
+            assert_eq!(tracer.any_parallel(&rays), Ok(tracer.any_each(&rays)));
+            assert_eq!(tracer.all_parallel(&rays), Ok(tracer.all_each(&rays)));
         }
         let found = tracer.count_closest(&rays);
         for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.open, found.rational]) {

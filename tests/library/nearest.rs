@@ -6,10 +6,10 @@ mod flat;
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
 use stackless_bvh::generate::{Rng, Source, procedural, stress};
-use stackless_bvh::geom::kernel::{Exact, Exact64};
+use stackless_bvh::geom::kernel::{Exact, Exact64, Parity};
 use stackless_bvh::geom::slabs::{Directed, Wide};
-use stackless_bvh::geom::{Ball, Kernel, Mesh, Real, Slabs, Triangle, Vector};
-use stackless_bvh::trace::{BinaryTracer, Near};
+use stackless_bvh::geom::{Ball, Mesh, Real, Slabs, Triangle, Vector};
+use stackless_bvh::trace::{BinaryTracer, MeshQueries, Near};
 use stackless_bvh::traverse::Method;
 use stackless_check::{check_distance, nearest as truth};
 
@@ -99,7 +99,7 @@ fn ball<V: Vector>(point: V, radius: f64) -> Ball<V> {
 
 fn check_traversals<K, B, V>(meshes: &[Mesh<V>])
 where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    K: Parity<Vector = V, Shape = Triangle<V>>,
     B: Slabs<Vector = V>,
     V: Vector,
 {
@@ -140,7 +140,7 @@ fn every_traversal_finds_the_nearest_triangles() {
 /// One, none, a few and all of the nearest, over both kinds of trees. Returns how often two distances were one.
 fn check<K, B, V>(meshes: &[Mesh<V>], queries: u32) -> usize
 where
-    K: Kernel<Vector = V, Shape = Triangle<V>>,
+    K: Parity<Vector = V, Shape = Triangle<V>>,
     B: Slabs<Vector = V>,
     V: Vector,
 {

@@ -8,7 +8,7 @@ use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::trace::{Any, BinaryTracer, Closest, Truth};
+use stackless_bvh::trace::{Any, BinaryTracer, Closest, RayQueries, Truth};
 use stackless_bvh::traverse::{
     Afra, ByTable, ByWalk, Cursor, Disjoint, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey,
     Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse, traverse_pruned,
@@ -231,7 +231,7 @@ fn rays_are_put_aside() {
     let cursor = || Hashed::<u32, _, _>::new(&bvh, &hash).expect("not deep");
     let (mut shortened, mut walked) = (0, 0);
     for ray in procedural::rays(&mesh, 2, 120) {
-        let hits: Vec<_> = BinaryTracer::new(&bvh).all(&ray).collect();
+        let hits: Vec<_> = BinaryTracer::new(&bvh).all(&ray);
         for end in [0.3, 0.7].map(|share| share * hits.last().map_or(1.0, |hit| hit.t)) {
             let shorter = Ray::within(ray.origin(), ray.direction(), ray.tmin(), end.max(ray.tmin())).expect("a ray");
             let expected = truth.closest(&shorter).map(|hit| hit.rounded()).map(|hit| (hit.t, hit.prim));

@@ -9,7 +9,7 @@ use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError, Real, Vector};
-use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
+use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, RayQueries};
 use stackless_bvh::traverse::Method;
 
 use stackless_check::in_single;
@@ -279,7 +279,7 @@ fn nothing_leaks<V: Precision>(mesh: &Mesh<V>, most: u32) {
         let Some((hit, point)) = scene.tracers[0].closest_and_point(&ray) else { panic!("{bounces}: {ray:?}") };
         // The inner box is not reached from between them, so its walls send back outwards.
         let inwards = normal(hit.prim as usize % 192) * if hit.prim >= 192 { -1.0 } else { 1.0 };
-        assert!(scene.tracers[0].any(point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
+        assert!(scene.tracers[0].any(&point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
         // To corners of squares, along the diagonals, or anywhere.
         let way = DVec3::from(array::from_fn(|_| match bounces % 3 {
             0 => rng.below(3) as f64 - 1.0,

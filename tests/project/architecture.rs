@@ -210,6 +210,29 @@ fn crates_need_those_of_the_table() {
     );
 }
 
+/// The rows of a table after a heading: cells without backticks.
+fn rows<'t>(text: &'t str, heading: &str) -> Vec<Vec<&'t str>> {
+    let section = text.split(heading).nth(1).and_then(|rest| rest.split("\n## ").next()).unwrap_or_default();
+    let cells = |line: &'t str| line.trim_matches('|').split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+    section.lines().filter(|line| line.starts_with('|')).skip(2).map(cells).collect()
+}
+
+/// The map of a ray's way is that of the code: each file has the function of its row, and names that of the next one.
+#[test]
+fn the_map_shows_the_way() {
+    let text = read(Path::new("ARCHITECTURE.md"));
+    let rows = rows(&text, "## A ray's way\n");
+    let texts: Vec<_> = rows.iter().map(|row| code(&read(Path::new(row[1])))).collect();
+    for (row, code) in rows.iter().zip(&texts) {
+        assert!(code.contains(&format!("fn {}", row[0])), "{row:?}");
+    }
+    for (code, next) in texts.iter().zip(&rows[1..]) {
+        assert!(code.contains(&format!("{}(", next[0])) || code.contains(&format!("{}::<", next[0])), "{next:?}");
+    }
+    let files: BTreeSet<_> = rows.iter().map(|row| row[1]).collect();
+    assert!(rows.len() > 5 && files.len() <= 6, "{files:?}");
+}
+
 #[test]
 fn files_are_short() {
     for file in sources() {

@@ -34,7 +34,7 @@ fn main() -> Result<(), Failure> {
             hits += u64::from(found.is_some());
             wrong += u64::from(found.map(|hit| hit.prim) != expected.first().copied());
             if i < lists / scenes {
-                let all: Vec<_> = tracer.all(&ray).collect();
+                let all: Vec<_> = tracer.all(&ray);
                 tied += all.windows(2).filter(|pair| pair[0].t == pair[1].t).count();
                 wrong += u64::from(!all.iter().map(|hit| hit.prim).eq(expected));
             }

@@ -11,7 +11,7 @@ use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Triangle, Vector};
-use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object};
+use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object, RayQueries};
 
 type Whole = [IBig; 3];
 
@@ -93,13 +93,13 @@ pub fn in_single<V: Vector>(mesh: &Mesh<V>) -> Option<Mesh> {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{found:?}, expected {expected:?}")]
 pub struct InstanceFault<R: Real = f32> {
-    /// The hit that is right.
-    pub expected: Option<InstanceHit<R>>,
-    /// The hit that was found, or that any hit is found where there is none or the other way round.
-    pub found: Result<Option<InstanceHit<R>>, bool>,
+    /// All hits of the ray, in order.
+    pub expected: Vec<InstanceHit<R>>,
+    /// The hits of a query that answers otherwise, or its yes or no.
+    pub found: Result<Vec<InstanceHit<R>>, bool>,
 }
 
-/// Asks for the closest hit, which must be that of the oracle in every bit, and for any hit. `[INST-6]`
+/// Compares all queries of a ray with the oracle, in every bit. `[INST-6]`
 ///
 /// Returns whether there is one.
 ///
@@ -110,28 +110,37 @@ pub fn check_instances<V: Vector>(
     flat: &Flat<V>,
     ray: &Ray<V>,
 ) -> Result<bool, InstanceFault<V::Real>> {
-    check_answer(tracer, &flat.closest(ray), ray)
+    check_answer(tracer, &flat.all(ray), ray)
 }
 
-/// The same where the right answer is known.
+/// The same where all hits are known, in order.
 ///
 /// # Errors
 /// The first answer that is wrong.
 pub fn check_answer<V: Vector>(
     tracer: &InstanceTracer<V>,
-    expected: &Option<InstanceHit<V::Real>>,
+    expected: &[InstanceHit<V::Real>],
     ray: &Ray<V>,
 ) -> Result<bool, InstanceFault<V::Real>> {
-    let bits = |hit: &Option<InstanceHit<V::Real>>| {
+    let bits = |hit: &InstanceHit<V::Real>| {
         let bits = |x: V::Real| -> u64 { f64::to_bits(x.into()) };
-        hit.as_ref().map(|hit| (hit.path.clone(), hit.prim, [hit.t, hit.u, hit.v].map(bits)))
+        (hit.path.clone(), hit.prim, [hit.t, hit.u, hit.v].map(bits))
     };
-    let (found, any) = (tracer.closest(ray), tracer.any(ray));
-    let fault = |found| Err(InstanceFault { expected: expected.clone(), found });
-    if bits(&found) != bits(expected) {
-        return fault(Ok(found));
+    let equal = |a: &[_], b: &[_]| a.iter().map(bits).eq(b.iter().map(bits));
+    let fault = |found| Err(InstanceFault { expected: expected.to_vec(), found });
+    let (closest, all, any_hit) = (tracer.closest(ray), tracer.all(ray), tracer.any_hit(ray));
+    if !equal(closest.as_slice(), &expected[..expected.len().min(1)]) {
+        return fault(Ok(closest.into_iter().collect()));
     }
-    if any == expected.is_some() { Ok(any) } else { fault(Err(any)) }
+    if !equal(&all, expected) {
+        return fault(Ok(all));
+    }
+    let is_one = any_hit.as_ref().is_none_or(|hit| expected.iter().any(|other| bits(hit) == bits(other)));
+    if !is_one || any_hit.is_none() != expected.is_empty() {
+        return fault(Ok(any_hit.into_iter().collect()));
+    }
+    let any = tracer.any(ray);
+    if any == expected.is_empty() { fault(Err(any)) } else { Ok(any) }
 }
 
 /// All triangles of the last shape, moved to where they are. `[INST-1]`
@@ -170,8 +179,8 @@ impl<V: Vector> Flat<V> {
         self.triangles.iter().map(|triangle| &triangle.corners)
     }
 
-    /// The first hit in the order of exact distance, path, triangle.
-    pub fn closest(&self, ray: &Ray<V>) -> Option<InstanceHit<V::Real>> {
+    /// All hits in the order of exact distance, path, triangle.
+    pub fn all(&self, ray: &Ray<V>) -> Vec<InstanceHit<V::Real>> {
         let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
         let log = self.log.max(log_of(line.as_flattened().iter()));
         let [o, d] = line.map(|v| v.map(|x| scaled(&x, log)));
@@ -183,9 +192,13 @@ impl<V: Vector> Flat<V> {
             let is_within = !ends_before && t >= exact(tmin);
             is_within.then_some((t, &placed.path, placed.prim, [u, v]))
         });
-        let (t, path, prim, weights) = hits.min()?;
-        let [t, u, v] = [&t, &weights[0], &weights[1]].map(V::Real::nearest);
-        Some(InstanceHit { path: path.clone(), prim, t, u, v })
+        let mut hits: Vec<_> = hits.collect();
+        hits.sort();
+        let rounded = |(t, path, prim, [u, v]): (RBig, &Vec<u32>, u32, [RBig; 2])| {
+            let [t, u, v] = [&t, &u, &v].map(V::Real::nearest);
+            InstanceHit { path: path.clone(), prim, t, u, v }
+        };
+        hits.into_iter().map(rounded).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use stackless_bvh::geom::lanes;
 use stackless_bvh::geom::slabs::Wide;
 use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs};
 use stackless_bvh::trace::{
-    BinaryTracer, Form, Hit, KernelName, NodeSearch, Query, SlabsName, Tracer, Truth, WithTests, with_tests,
+    BinaryTracer, Form, Hit, KernelName, NodeSearch, Query, RayQueries, SlabsName, Tracer, Truth, WithTests, with_tests,
 };
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::{Implicit, Topology};

@@ -10,7 +10,9 @@ use stackless_bvh::bvh::{Bvh, BvhError, WideBvh, WideError, validate};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{RBig, round_root, square_distance};
 use stackless_bvh::geom::{Ball, BallError, Mesh, MeshError, Ray, Triangle, Vector};
-use stackless_bvh::trace::{BinaryTracer, Hit, Near, NodeSearch, OwnBoxes, Query, Sweep, Tracer, Truth};
+use stackless_bvh::trace::{
+    BinaryTracer, Hit, MeshQueries, Near, NodeSearch, OwnBoxes, Query, RayQueries, Sweep, Tracer, Truth,
+};
 use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
 use stackless_bvh::tree::Topology;
 
@@ -134,7 +136,7 @@ fn check_rays<V: Precision>(
         }
         let any = [tracer.any(ray), in_turns_any[number], tracer.closest_distance(ray).is_some()];
         compare(number, "any hit in a wide tree", &[!expected.is_empty(); 3], &any)?;
-        let all: Vec<_> = tracer.all(ray).map(|hit| bits(&hit)).collect();
+        let all: Vec<_> = tracer.all(ray).iter().map(bits).collect();
         compare(number, "all hits in a wide tree", &expected, &all)?;
         hits += usize::from(!expected.is_empty());
     }

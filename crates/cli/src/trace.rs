@@ -9,7 +9,7 @@ use stackless_bvh::bvh::{Builder, Bvh};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
-use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, Tracer, WithTests};
+use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, RayQueries, Tracer, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::wide;
 use stackless_scene::{Float, Format, Position};

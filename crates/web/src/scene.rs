@@ -7,7 +7,7 @@ use stackless_bvh::generate::procedural::View;
 use stackless_bvh::geom::kernel::Moller32;
 use stackless_bvh::geom::slabs::Plain;
 use stackless_bvh::geom::{Mesh, MeshError, Ray};
-use stackless_bvh::trace::{Hit, Search, Tracer};
+use stackless_bvh::trace::{Hit, RayQueries, Search, Tracer};
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_explain::{self as explain, ExplainError, USUAL};
 use stackless_scene::{SceneError, read_named};

@@ -2,7 +2,7 @@
 
 use stackless_bvh::geom::kernel::Moller32;
 use stackless_bvh::geom::slabs::Plain;
-use stackless_bvh::trace::{BinaryTracer, Hit};
+use stackless_bvh::trace::{BinaryTracer, Hit, RayQueries};
 use stackless_bvh::traverse::Method;
 
 use super::*;

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{BinaryTracer, Hit};
+use stackless_bvh::trace::{BinaryTracer, Hit, RayQueries};
 use stackless_bvh::tree::Topology as _;
 use stackless_suite::{Answer, Ask, Query as Asked};
 

@@ -39,7 +39,7 @@ fn every_traversal_answers_every_ray_query_with_the_truth() {
                 for tracer in &tracers {
                     assert_eq!(tracer.closest(ray), truth.first().copied(), "{tracer:?} {ray:?}");
                     assert_eq!(tracer.any(ray), !truth.is_empty(), "{tracer:?} {ray:?}");
-                    assert_eq!(tracer.all(ray).collect::<Vec<_>>(), truth, "{tracer:?} {ray:?}");
+                    assert_eq!(tracer.all(ray), truth, "{tracer:?} {ray:?}");
                     let after = |hit: &Hit| tracer.next(ray, (hit.t, hit.prim));
                     let walked: Vec<_> = std::iter::successors(tracer.closest(ray), after).take(200).collect();
                     assert_eq!(walked, truth, "{tracer:?} {ray:?}");
@@ -55,7 +55,7 @@ fn hits_are_walked_through_on_hard_rays() {
         let bvh = Bvh::sah(&case.mesh, SahOptions::default()).expect("a tree");
         let tracer = BinaryTracer::new(&bvh);
         for ray in &case.rays {
-            let all: Vec<_> = tracer.all(ray).collect();
+            let all: Vec<_> = tracer.all(ray);
             let after = |hit: &Hit| tracer.next(ray, (hit.t, hit.prim));
             let walked: Vec<_> = std::iter::successors(tracer.closest(ray), after).take(all.len() + 1).collect();
             assert_eq!(walked, all, "{}: {ray:?}", case.name);
@@ -77,7 +77,7 @@ fn slices_and_threads_give_the_same() {
     same!(&rays, |ray| tracer.closest(ray), closest_each, closest_parallel);
     same!(&rays, |ray| tracer.any(ray), any_each, any_parallel);
     same!(&rays, |ray| tracer.any_hit(ray), any_hit_each, any_hit_parallel);
-    same!(&rays, |ray| tracer.all(ray).collect::<Vec<_>>(), all_each, all_parallel);
+    same!(&rays, |ray| tracer.all(ray), all_each, all_parallel);
     let balls: Vec<_> = rays.iter().map(|ray| Ball::new(ray.origin(), 0.1).expect("a ball")).collect();
     same!(&balls, |ball| tracer.nearest(ball), nearest_each, nearest_parallel);
     assert!(tracer.closest_each(&[]).is_empty() && tracer.closest_parallel(&[]) == Ok(Vec::new()));

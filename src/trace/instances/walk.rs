@@ -18,14 +18,13 @@ use crate::tree::{Node, Topology};
 pub(super) struct Search<'r, V: Vector> {
     /// The ray itself.
     pub(super) ray: &'r ExactRay<V>,
-    /// Whether the first hit ends it.
-    pub(super) any: bool,
-    /// The distance of the best hit, or the ray's end.
+    pub(super) wanted: Wanted,
+    /// The distance of the best hit, or the ray's end: hits beyond are not wanted.
     pub(super) t: V::Real,
     /// The same, rounded up: boxes beyond are left out.
     pub(super) end: f32,
-    /// The best hit so far.
-    pub(super) found: Option<Found<V>>,
+    /// The best hit so far, or all of them.
+    pub(super) found: Vec<Found<V>>,
     /// The instances that it is in, from the outermost on.
     pub(super) path: Vec<u32>,
     /// Memory of the traversals that have a stack, for each level that has asked for it.
@@ -33,9 +32,28 @@ pub(super) struct Search<'r, V: Vector> {
     pub(super) counts: InstanceCounts,
 }
 
+/// The hits that a search wants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// Whether there is one: its distance is not computed.
+    Any,
+    AnyHit,
+    Closest,
+    All,
+}
+
+impl Wanted {
+    /// Whether the first hit ends the search.
+    pub(super) const fn is_any(self) -> bool {
+        matches!(self, Self::Any | Self::AnyHit)
+    }
+}
+
 /// A triangle of an instance that is hit.
 #[derive(Clone, Debug)]
 pub(super) struct Found<V: Vector> {
+    /// The distance, rounded.
+    pub(super) t: V::Real,
     /// The instances from the outermost on.
     pub(super) path: Vec<u32>,
     pub(super) prim: u32,
@@ -45,12 +63,11 @@ pub(super) struct Found<V: Vector> {
 }
 
 impl<'r, V: Vector> Search<'r, V> {
-    /// A search, which is for any hit or for the closest.
-    pub(super) fn new(ray: &'r ExactRay<V>, any: bool) -> Self {
-        let (found, path, memory) = (None, Vec::new(), Vec::new());
+    pub(super) fn new(ray: &'r ExactRay<V>, wanted: Wanted) -> Self {
+        let (found, path, memory) = (Vec::new(), Vec::new(), Vec::new());
         let [_, t] = ray.interval();
         let [_, end] = t.ends_in_single();
-        Self { ray, any, t, end, found, path, memory, counts: InstanceCounts::default() }
+        Self { ray, wanted, t, end, found, path, memory, counts: InstanceCounts::default() }
     }
 
     /// Where the ray begins, rounded down.
@@ -62,17 +79,21 @@ impl<'r, V: Vector> Search<'r, V> {
 
     /// Whether nothing is left to be found.
     pub(super) fn is_over(&self) -> bool {
-        self.any && self.found.is_some()
+        self.wanted.is_any() && !self.found.is_empty()
     }
 
     /// Takes a hit.
     #[inline]
     fn take(&mut self, t: V::Real, held: &LeafTriangle<Triangle<V>>, test: &kernel::EnclosedTest<V::Real>) {
         let LeafTriangle { shape: triangle, prim } = *held;
-        let mut path = self.found.take().map(|best| best.path).unwrap_or_default();
+        let is_best = self.wanted != Wanted::All;
+        let mut path = self.found.pop_if(|_| is_best).map(|best| best.path).unwrap_or_default();
         path.clone_from(&self.path);
-        let [_, end] = t.ends_in_single();
-        (self.t, self.end, self.found) = (t, end, Some(Found { path, prim, triangle, test: *test }));
+        self.found.push(Found { t, path, prim, triangle, test: *test });
+        if is_best {
+            let [_, end] = t.ends_in_single();
+            (self.t, self.end) = (t, end);
+        }
     }
 }
 
@@ -113,7 +134,7 @@ impl<S, L: Leaves<S, V>, V: Vector> Visitor for Walk<'_, '_, S, L, V> {
     fn inner(&mut self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
         let Intervals { hit: [left, right], near, .. } = self.slabs.pair(planes, self.search.end);
-        Descent::new(left, right, near[1] < near[0] && !self.search.any)
+        Descent::new(left, right, near[1] < near[0] && self.search.wanted == Wanted::Closest)
     }
 
     #[inline(always)]
@@ -175,7 +196,7 @@ impl<'s, V: Vector> Triangles<'s, V> {
         }
         let (ray, region) = (self.ray, self.region);
         let test = self.test.get_or_insert_with(|| kernel::EnclosedTest::new(ray, search.ray.interval(), region));
-        let verdict = if search.any {
+        let verdict = if search.wanted == Wanted::Any {
             match test.blocks(&held.shape) {
                 Certainty::Hit(()) => Certainty::Hit(search.t),
                 Certainty::Miss => Certainty::Miss,
@@ -190,37 +211,45 @@ impl<'s, V: Vector> Triangles<'s, V> {
             Certainty::Open => ask_truth(self.tracer, test, &held.shape, search),
         };
         if let Some(t) = t
-            && (t < search.t || t == search.t && comes_first(self.tracer, test, held, search))
+            && (t < search.t || search.wanted == Wanted::All || comes_first(self.tracer, test, held, search))
         {
             search.take(t, held, test);
         }
     }
 }
 
-/// Whether a hit at the rounded distance of the best one so far comes before it: by exact distance, then by path, then by
-/// triangle. `[EXACT-13, INST-6]`
+/// Whether a hit at the rounded distance of the best one so far comes before it. `[INST-6]`
 #[cold]
 #[inline(never)]
 fn comes_first<V: Vector>(
     tracer: &InstanceTracer<V>,
     test: &kernel::EnclosedTest<V::Real>,
-    &LeafTriangle { shape, prim }: &LeafTriangle<Triangle<V>>,
+    &LeafTriangle { shape: triangle, prim }: &LeafTriangle<Triangle<V>>,
     search: &Search<'_, V>,
 ) -> bool {
-    let Some(best) = &search.found else { return true };
-    let by_index = (&search.path, prim).cmp(&(&best.path, best.prim));
-    // The same triangle in another leaf.
-    if by_index.is_eq() {
-        return false;
-    }
-    let exactly = || {
-        let [maps, of_best] = [&search.path, &best.path].map(|path| tracer.maps(path));
-        if shape == best.triangle && maps == of_best {
+    let found = Found { t: search.t, path: search.path.clone(), prim, triangle, test: *test };
+    search.found.first().is_none_or(|best| found.order(best, tracer, search.ray).is_lt())
+}
+
+impl<V: Vector> Found<V> {
+    /// Compares two hits of a ray by exact distance, then by path, then by triangle. `[EXACT-13, INST-6]`
+    pub(super) fn order(&self, other: &Self, tracer: &InstanceTracer<V>, ray: &ExactRay<V>) -> Ordering {
+        let by_index = (&self.path, self.prim).cmp(&(&other.path, other.prim));
+        // The same triangle in another leaf.
+        if by_index.is_eq() {
             return Ordering::Equal;
         }
-        search.ray.compare([(&shape, &maps), (&best.triangle, &of_best)])
-    };
-    test.compare(&shape, (&best.test, &best.triangle)).unwrap_or_else(exactly).then(by_index).is_lt()
+        let exactly = || {
+            let [maps, of_other] = [&self.path, &other.path].map(|path| tracer.maps(path));
+            if self.triangle == other.triangle && maps == of_other {
+                return Ordering::Equal;
+            }
+            ray.compare([(&self.triangle, &maps), (&other.triangle, &of_other)])
+        };
+        let by_distance = || self.test.compare(&self.triangle, (&other.test, &other.triangle)).unwrap_or_else(exactly);
+        // No distance is a NaN.
+        self.t.partial_cmp(&other.t).unwrap_or(Ordering::Equal).then_with(by_distance).then(by_index)
+    }
 }
 
 /// What bounds leave open.

@@ -56,7 +56,7 @@ impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
         with_baseline!(simd => {
             let boxes = EnclosedBoxes::<_, f32x8<_>, 8>::new(simd, slabs);
             let filter = W::enclosed(simd, ray, bvh.region());
-            if search.any {
+            if search.wanted.is_any() {
                 level.walk(WideWalk::<_, _, _, true> { simd, bvh, boxes, filter, triangles, search });
             } else {
                 level.walk(WideWalk::<_, _, _, false> { simd, bvh, boxes, filter, triangles, search });

@@ -59,7 +59,7 @@ impl<V: Precision> Rare<V> {
     fn of(binary: &Binary<'_, V>, rays: &[Ray<V>]) -> Self {
         let rays = || rays.iter().step_by(3).enumerate();
         Self {
-            all: rays().map(|(_, ray)| binary.all(ray).collect()).collect(),
+            all: rays().map(|(_, ray)| binary.all(ray)).collect(),
             crossings: rays().map(|(_, ray)| binary.crossings(ray)).collect(),
             near: rays().map(|(i, ray)| binary.nearest_k(&ball(i, ray), SEVERAL[i % 4])).collect(),
         }
@@ -68,7 +68,7 @@ impl<V: Precision> Rare<V> {
     fn compare(&self, tracer: &Tracer<&WideBvh<8, V>, V>, rays: &[Ray<V>]) {
         let method = tracer.method();
         for (i, ray) in rays.iter().step_by(3).enumerate() {
-            let all: Vec<_> = tracer.all(ray).collect();
+            let all: Vec<_> = tracer.all(ray);
             assert_eq!(all, self.all[i], "{method} {ray:?}");
             assert_eq!(tracer.crossings(ray), self.crossings[i], "{method} {ray:?}");
             let before_all = V::Real::rounded(f64::NEG_INFINITY);

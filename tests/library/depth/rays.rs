@@ -10,7 +10,7 @@ use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::Flow;
-use stackless_bvh::trace::{AnyByNode, BinaryTracer, Closest, ClosestByNode, Truth};
+use stackless_bvh::trace::{AnyByNode, BinaryTracer, Closest, ClosestByNode, RayQueries, Truth};
 use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unfit, WordName, traverse};
 use stackless_bvh::tree::{Keys, Linked, Node, Recorded, Topology};
 use stackless_check::{CaseOptions, Pieces, Plan, SceneTree, check_scene};

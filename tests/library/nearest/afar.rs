@@ -6,7 +6,7 @@ use stackless_bvh::generate::{Rng, procedural, stress};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, Mesh, Real, Triangle, Vector};
 use stackless_bvh::order::{Descent, Flow, Pruned, Repeatable, Visitor};
-use stackless_bvh::trace::{BinaryTracer, NearestPoint, Tracer};
+use stackless_bvh::trace::{BinaryTracer, MeshQueries, NearestPoint, Tracer};
 use stackless_bvh::traverse::{Method, Stack, traverse};
 use stackless_bvh::tree::Node;
 use stackless_check::{check_nearest, nearest as truth};

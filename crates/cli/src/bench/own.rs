@@ -3,7 +3,7 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Builder, Bvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Forms, WithTests};
+use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Forms, RayQueries, WithTests};
 use stackless_bvh::traverse::{Method, Unfit};
 use stackless_bvh::tree::{Recorded, Topology};
 

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::{Level, Precision};
-use stackless_bvh::trace::{Accuracy, Hit, Tracer};
+use stackless_bvh::trace::{Accuracy, Hit, RayQueries, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
 use super::{Contestant, timed};

@@ -15,7 +15,7 @@ use serde_json::json;
 use stackless_bvh::bvh::{BuildOptions, Builder, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray};
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::trace::{MeshQueries, RayQueries, Tracer};
 
 use crate::Outcome;
 use crate::output::{Block, bar, print, table};
@@ -240,7 +240,7 @@ fn any(mesh: Mesh, hard: Vec<Ray>) -> Made {
 }
 
 fn all(mesh: Mesh, hard: Vec<Ray>) -> Made {
-    traced(mesh, hard, |tracer, ray| tracer.all(ray).count(), |tracer, ray| Some(tracer.count_all(&[*ray]).into()))
+    traced(mesh, hard, |tracer, ray| tracer.all(ray).len(), |tracer, ray| Some(tracer.count_all(&[*ray]).into()))
 }
 
 /// Hit after hit.

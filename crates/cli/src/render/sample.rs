@@ -4,7 +4,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{self, Hit, Tracer};
+use stackless_bvh::trace::{self, Hit, RayQueries, Tracer};
 
 use crate::camera::Camera;
 use crate::input::Scene;

@@ -8,7 +8,7 @@ use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs};
-use stackless_bvh::trace::{Accuracy, BinaryTracer, Form, Hit, Search, WithTests, with_level};
+use stackless_bvh::trace::{Accuracy, BinaryTracer, Form, Hit, MeshQueries, Search, WithTests, with_level};
 use stackless_bvh::traverse::{Stack, traverse};
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {

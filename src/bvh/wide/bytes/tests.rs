@@ -7,7 +7,7 @@ use crate::bvh::validate::tests::cut;
 use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions};
 use crate::generate::{double, procedural, stress};
 use crate::geom::Mesh;
-use crate::trace::Tracer;
+use crate::trace::{RayQueries, Tracer};
 
 const SLOTS_AT: usize = 12;
 const LEVELS_AT: usize = 16;

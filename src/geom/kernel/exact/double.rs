@@ -115,6 +115,11 @@ impl Exact64 {
         self.blocks(shape) && self.is_crossed_by_line(shape)
     }
 
+    /// As [`Parity::sense`](super::Parity::sense).
+    pub(super) fn sense(&self, shape: &Triangle<DVec3>) -> i32 {
+        parity::sense(&shape.0, self.ray.direction(), self.can_filter(shape))
+    }
+
     fn is_crossed_by_line(&self, shape: &Triangle<DVec3>) -> bool {
         let has_room = self.can_filter(shape);
         has_room && self.determinants(shape).is_hit(&self.errors_of(shape))

@@ -24,6 +24,11 @@ use crate::geom::{Kernel, Triangle};
 pub trait Parity: Kernel {
     /// [`Exact::crosses`], in either precision. `[PARITY-1]`
     fn is_crossing(&self, shape: &Self::Shape) -> bool;
+
+    /// The side of a triangle that a ray comes from, if the ray crosses it: 1 from behind, where it leaves the solid of a
+    /// mesh whose faces are seen counterclockwise from outside, and -1 from the front. Of a triangle that is parallel to the
+    /// ray, 0.
+    fn sense(&self, shape: &Self::Shape) -> i32;
 }
 
 impl Parity for Exact {
@@ -31,12 +36,25 @@ impl Parity for Exact {
     fn is_crossing(&self, shape: &Triangle) -> bool {
         self.crosses(shape)
     }
+
+    fn sense(&self, shape: &Triangle) -> i32 {
+        sense(&shape.widen(), self.direction, true)
+    }
 }
 
 impl Parity for Exact64 {
     fn is_crossing(&self, shape: &Triangle<DVec3>) -> bool {
         self.crosses(shape)
     }
+
+    fn sense(&self, shape: &Triangle<DVec3>) -> i32 {
+        self.sense(shape)
+    }
+}
+
+/// The sign of d . n, for the normal n.
+pub(super) fn sense(&[a, b, c]: &[DVec3; 3], d: DVec3, has_room: bool) -> i32 {
+    sign(d, [a, b], [a, c], has_room) as i32
 }
 
 impl Exact {

@@ -131,14 +131,40 @@ pub(in crate::geom) fn is_degenerate(corners: &[DVec3; 3]) -> bool {
 /// Whether double precision can tell that the corners do not lie on a line.
 fn has_certain_area(&[v0, v1, v2]: &[DVec3; 3]) -> bool {
     let (e1, e2) = (v1 - v0, v2 - v0);
-    // A component of the cross product is certain if it is not 0: each product has three roundings, their difference
-    // one. What underflows is next to nothing beside the bound, and what overflows leaves infinities, of which none is greater.
-    let least = const { power_of_two(-900) };
-    let is_certain = |a: f64, b: f64| {
-        let size = a.abs() + b.abs();
-        size > least && (a - b).abs() > 4.0 * f64::EPSILON * size
-    };
     is_certain(e1.x * e2.y, e1.y * e2.x) || is_certain(e1.y * e2.z, e1.z * e2.y) || is_certain(e1.z * e2.x, e1.x * e2.z)
+}
+
+/// Whether the sign of a - b is certain, a component of a cross product of two differences: each product has three
+/// roundings, their difference one. What underflows is next to nothing beside the bound, and what overflows leaves
+/// infinities, of which none is greater.
+fn is_certain(a: f64, b: f64) -> bool {
+    let least = const { power_of_two(-900) };
+    let size = a.abs() + b.abs();
+    size > least && (a - b).abs() > 4.0 * f64::EPSILON * size
+}
+
+/// A total order of the lines from a point through two others, equal only if they are one line: by the slopes in y and z over
+/// x; then, of those without an x, by the slope in z over y. Exact, for numbers of any size.
+pub(in crate::geom) fn order_of_lines(from: DVec3, to: [DVec3; 2]) -> Ordering {
+    let [a, b] = to;
+    // The steeper of two lines in a plane, whose first coordinates change by a[i] and b[i].
+    let slope = |i: usize, j: usize, axis: DVec3| {
+        let ([ai, aj], [bi, bj]) = ([a[i] - from[i], a[j] - from[j]], [b[i] - from[i], b[j] - from[j]]);
+        let (left, right) = (aj * bi, bj * ai);
+        let turn = if is_certain(left, right) {
+            left.partial_cmp(&right).unwrap_or(Ordering::Equal)
+        } else {
+            volume(axis, [from, b], [from, a])
+        };
+        if (a[i] < from[i]) == (b[i] < from[i]) { turn } else { turn.reverse() }
+    };
+    let moves = |k: usize| [a[k] != from[k], b[k] != from[k]];
+    match (moves(0), moves(1)) {
+        ([true, true], _) => slope(0, 1, DVec3::Z).then_with(|| slope(0, 2, DVec3::NEG_Y)),
+        ([false, false], [true, true]) => slope(1, 2, DVec3::X),
+        // Lines along the later axes come later.
+        ([false, false], [a, b]) | ([a, b], _) => b.cmp(&a),
+    }
 }
 
 #[cfg(test)]

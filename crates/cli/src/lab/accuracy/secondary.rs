@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::geom::{Ends, ExactPoint, Mesh, Ray, Triangle};
-use stackless_bvh::trace::{self, Assembly, BinaryTracer, Hit, InstanceTracer, Tracer, Truth};
+use stackless_bvh::trace::{self, Assembly, BinaryTracer, Hit, InstanceTracer, RayQueries, Tracer, Truth};
 use stackless_bvh::traverse::Method;
 use stackless_check::Shard;
 
@@ -116,7 +116,7 @@ impl Bounce {
     fn is_blocked(&self, tracer: &InstanceTracer) -> Option<(bool, ExactPoint)> {
         let point = ExactPoint::met(&self.primary, &Triangle(self.corners))?;
         let ray = point.ray(self.direction, self.tmax, Ends::Open).ok()?;
-        Some((tracer.any(ray), point))
+        Some((tracer.any(&ray), point))
     }
 }
 

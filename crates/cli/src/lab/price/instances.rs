@@ -4,7 +4,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::{AffineMap, Ray};
-use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, Object};
+use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, Object, RayQueries};
 use stackless_bvh::traverse::Method;
 
 use super::scenes::{along_axes_from_afar, apply, sphere, turn};

@@ -1,12 +1,11 @@
 use glam::{DVec3, Vec3};
 
-use super::*;
-use crate::bvh::{BuildOptions, Builder, SpatialOptions};
+use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions};
 use crate::generate::{procedural, stress};
-use crate::geom::Mesh;
 use crate::geom::kernel::{Exact, Exact64};
 use crate::geom::slabs::{Directed, Wide};
-use crate::trace::Tracer;
+use crate::geom::{Mesh, Ray};
+use crate::trace::{BinaryTracer, MeshQueries, Tracer};
 use crate::traverse::Method;
 
 type Tracer64 = BinaryTracer<Bvh<crate::geom::Triangle<DVec3>>, Exact64, Wide>;

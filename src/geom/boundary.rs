@@ -1,0 +1,192 @@
+//! The boundary of a mesh: where its surface ends.
+//!
+//! # Idea
+//!
+//! The edges of all faces, each with the number of faces that run through it, are a chain. A surface is closed if the chain
+//! covers each point of each edge an even number of times, wherever the vertices are: a vertex may lie in the middle of a
+//! neighbour's edge (a T-junction). On one line, a bounded chain covers every point an even number of times exactly if every
+//! point is the end of an even number of its edges. So it is enough to look at each vertex, and to sort the edges that end there by
+//! their lines. The same holds with signs: a surface is oriented if the edges cover every point equally often in both
+//! directions. `[CLOSED-1]`
+//!
+//! # Cost
+//!
+//! Two sorts, of vertices by coordinates and of edges by ends. Lines are compared only for edges that an odd number of faces
+//! share, exactly.
+
+use std::cmp::Ordering;
+use std::collections::HashMap;
+
+use super::kernel::order_of_lines;
+use super::{Mesh, Vector};
+use crate::threads;
+
+/// What the edges of a mesh say about its surface. Vertices of equal coordinates are one.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::geom::{Boundary, Mesh};
+///
+/// // A tetrahedron, of which one face is cut in two at a vertex in the middle of an edge.
+/// let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X * 0.5];
+/// let cut = Mesh::new(corners.clone(), vec![[0, 2, 4], [4, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
+/// assert!(Boundary::of(&cut).is_closed() && Boundary::of(&cut).is_oriented());
+/// let open = Mesh::new(corners, vec![[4, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
+/// let boundary = Boundary::of(&open);
+/// assert_eq!((boundary.open, boundary.first.map(|edge| edge.face)), (3, Some(0)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Boundary {
+    /// Edges with an end at which the covering of their line changes between even and odd.
+    pub open: usize,
+    /// Edges with an end at which the difference of both directions changes.
+    pub unpaired: usize,
+    /// Faces with the vertices of an earlier face.
+    pub repeated: usize,
+    /// An open edge of the first face that has one.
+    pub first: Option<OpenEdge>,
+}
+
+/// An edge at which a surface ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OpenEdge {
+    /// Index of a face.
+    pub face: usize,
+    /// The vertices, in the direction of the face.
+    pub ends: [u32; 2],
+    /// How many faces run through these two vertices.
+    pub faces: usize,
+}
+
+impl Boundary {
+    /// Looks at all edges of all faces, those of faces without an area included.
+    pub fn of<V: Vector>(mesh: &Mesh<V>) -> Self {
+        let welded = welded(mesh.vertices());
+        let mut edges: Vec<_> = directed(mesh.triangles(), &welded).collect();
+        threads::sort_by(&mut edges, u64::cmp);
+        let (mut odd, mut one_sided) = (Vec::new(), Vec::new());
+        for same in edges.chunk_by(|a, b| a >> 1 == b >> 1) {
+            let (edge, faces) = (same[0] >> 1, same.len());
+            let backward = same.iter().filter(|&edge| edge & 1 == 1).count();
+            if faces % 2 == 1 {
+                odd.push(Share { edge, faces, weights: [1, 1] });
+            }
+            if 2 * backward != faces {
+                let net = faces as i64 - 2 * backward as i64;
+                one_sided.push(Share { edge, faces, weights: [-net, net] });
+            }
+        }
+        odd = unbalanced(mesh, odd, |sum| sum % 2 == 0);
+        one_sided = unbalanced(mesh, one_sided, |sum| sum == 0);
+        let first = first(mesh.triangles(), &welded, &odd);
+        Self { open: odd.len(), unpaired: one_sided.len(), repeated: repeated(mesh.triangles(), &welded), first }
+    }
+
+    /// Whether the surface has no end: it has an inside by parity.
+    pub const fn is_closed(&self) -> bool {
+        self.open == 0
+    }
+
+    /// Whether the faces run through every edge equally often in both directions: the winding number is an integer.
+    pub const fn is_oriented(&self) -> bool {
+        self.unpaired == 0
+    }
+}
+
+/// An edge that the faces at its own two vertices leave uneven.
+#[derive(Clone, Copy)]
+struct Share {
+    /// The lesser end times 2^31, and the greater end.
+    edge: u64,
+    faces: usize,
+    /// What it adds at the lesser and at the greater end.
+    weights: [i64; 2],
+}
+
+impl Share {
+    fn ends(&self) -> [u32; 2] {
+        [(self.edge >> 31) as u32, (self.edge & 0x7FFF_FFFF) as u32]
+    }
+}
+
+/// An end of an edge: the vertex, the other one, the weight, the edge's index.
+type End = (u32, u32, i64, usize);
+
+/// The edges that other edges on their line do not make even.
+fn unbalanced<V: Vector>(mesh: &Mesh<V>, shares: Vec<Share>, is_even: impl Fn(i64) -> bool) -> Vec<Share> {
+    let at = |vertex: u32| mesh.vertices()[vertex as usize].widen();
+    let mut ends: Vec<End> = Vec::with_capacity(2 * shares.len());
+    for (i, share) in shares.iter().enumerate() {
+        let ([lesser, greater], [first, second]) = (share.ends(), share.weights);
+        ends.extend([(lesser, greater, first, i), (greater, lesser, second, i)]);
+    }
+    threads::sort_by(&mut ends, Ord::cmp);
+    let mut is_uneven = vec![false; shares.len()];
+    for fan in ends.chunk_by_mut(|a, b| a.0 == b.0) {
+        let vertex = at(fan[0].0);
+        let lines = |a: &End, b: &End| order_of_lines(vertex, [at(a.1), at(b.1)]);
+        fan.sort_unstable_by(lines);
+        for line in fan.chunk_by(|a, b| lines(a, b) == Ordering::Equal) {
+            if !is_even(line.iter().map(|end| end.2).sum()) {
+                line.iter().for_each(|end| is_uneven[end.3] = true);
+            }
+        }
+    }
+    shares.into_iter().zip(is_uneven).filter_map(|(share, uneven)| uneven.then_some(share)).collect()
+}
+
+/// For each vertex, the first one of its coordinates.
+fn welded<V: Vector>(vertices: &[V]) -> Vec<u32> {
+    // Zeros of both signs are one number. Doubles hold single precision exactly.
+    let key = |v: &V| v.widen().to_array().map(|x| (x + 0.0).to_bits());
+    let mut order: Vec<_> = vertices.iter().zip(0_u32..).map(|(v, i)| (key(v), i)).collect();
+    threads::sort_by(&mut order, Ord::cmp);
+    let mut welded = vec![0; vertices.len()];
+    for same in order.chunk_by(|(a, _), (b, _)| a == b) {
+        for (_, vertex) in same {
+            welded[*vertex as usize] = same[0].1;
+        }
+    }
+    welded
+}
+
+/// Every edge of every face.
+fn directed(faces: &[[u32; 3]], welded: &[u32]) -> impl Iterator<Item = u64> {
+    faces.iter().flat_map(|&face| ends(face)).filter_map(|ends| packed(ends, welded))
+}
+
+/// The lesser end, the greater end and the direction: 31 bits, 31 and one. An edge of one point is none.
+fn packed(ends: [u32; 2], welded: &[u32]) -> Option<u64> {
+    let [from, to] = ends.map(|vertex| u64::from(welded[vertex as usize]));
+    (from != to).then(|| from.min(to) << 32 | from.max(to) << 1 | u64::from(to < from))
+}
+
+fn ends([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]]
+}
+
+/// An open edge of the first face that has one.
+fn first(faces: &[[u32; 3]], welded: &[u32], open: &[Share]) -> Option<OpenEdge> {
+    if open.is_empty() {
+        return None;
+    }
+    let counts: HashMap<_, _> = open.iter().map(|share| (share.edge, share.faces)).collect();
+    faces.iter().enumerate().find_map(|(face, &corners)| {
+        ends(corners).into_iter().find_map(|ends| {
+            let &faces = counts.get(&(packed(ends, welded)? >> 1))?;
+            Some(OpenEdge { face, ends, faces })
+        })
+    })
+}
+
+/// How many faces have the vertices of an earlier one, in any order.
+fn repeated(faces: &[[u32; 3]], welded: &[u32]) -> usize {
+    let mut sorted: Vec<_> = faces.iter().map(|face| face.map(|vertex| welded[vertex as usize])).collect();
+    sorted.iter_mut().for_each(|face| face.sort_unstable());
+    threads::sort_by(&mut sorted, Ord::cmp);
+    sorted.windows(2).filter(|pair| pair[0] == pair[1]).count()
+}
+
+#[cfg(test)]
+mod tests;

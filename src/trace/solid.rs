@@ -1,0 +1,110 @@
+//! Inside and outside: which points are in the solid that a closed mesh bounds.
+
+use std::fmt;
+
+use super::{MeshQueries, RayQueries};
+use crate::geom::{Boundary, Ray, RayError, Real as _, Vector};
+
+/// How crossings of a closed mesh tell inside from outside.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Rule {
+    /// Points with an odd number of crossings are inside. The mesh must be closed; overlapping parts cancel out.
+    #[default]
+    Parity,
+    /// Points with a winding number other than 0 are inside. The mesh must be closed and oriented; overlapping parts unite.
+    Nonzero,
+}
+
+/// Where a point is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Location {
+    /// In the solid.
+    Inside,
+    /// On a triangle that has an area, exactly.
+    Surface,
+    /// Elsewhere.
+    Outside,
+}
+
+/// Why a rule does not fit a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SolidError {
+    /// The mesh has an end.
+    #[error("the mesh is open: {}", describe(.0))]
+    Open(Boundary),
+    /// The mesh is closed, but its faces do not have one orientation.
+    #[error("the mesh is not oriented: faces run through {} edges more often in one direction than in the other; rule `parity` fits", .0.unpaired)]
+    Unoriented(Boundary),
+}
+
+/// The solid that a closed mesh bounds, and exact answers about points.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_bvh::generate::stress;
+/// use stackless_bvh::geom::Boundary;
+/// use stackless_bvh::trace::{Location, Rule, Solid, Tracer};
+///
+/// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
+/// let tracer = Tracer::of(&mesh)?;
+/// let solid = Solid::new(&tracer, &Boundary::of(&mesh), Rule::Parity)?;
+/// assert_eq!(solid.locate(Vec3::splat(0.1))?, Location::Inside);
+/// assert_eq!(solid.locate(mesh.vertices()[0])?, Location::Surface);
+/// assert_eq!(solid.locate(Vec3::splat(0.9))?, Location::Outside);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Solid<'t, T> {
+    tracer: &'t T,
+    rule: Rule,
+}
+
+impl<'t, T> Solid<'t, T> {
+    /// The solid of the mesh of a tracer by a rule; `boundary` must be that of the mesh.
+    ///
+    /// # Errors
+    /// [`SolidError`] where the rule does not fit.
+    pub fn new(tracer: &'t T, boundary: &Boundary, rule: Rule) -> Result<Self, SolidError> {
+        if !boundary.is_closed() {
+            return Err(SolidError::Open(boundary.clone()));
+        }
+        if rule == Rule::Nonzero && !boundary.is_oriented() {
+            return Err(SolidError::Unoriented(boundary.clone()));
+        }
+        Ok(Self { tracer, rule })
+    }
+
+    /// Says where a point is, exactly. `[CLOSED-2]`
+    ///
+    /// # Errors
+    /// [`RayError`] for a point that is not finite.
+    pub fn locate<V: Vector>(&self, point: V) -> Result<Location, RayError>
+    where
+        T: RayQueries<Ray<V>> + MeshQueries<V>,
+    {
+        let (zero, one) = (V::Real::ZERO, V::Real::ONE);
+        let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(V::from_components);
+        // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0 hits it.
+        for axis in axes {
+            if self.tracer.any(&Ray::within(point, axis, zero, zero)?) {
+                return Ok(Location::Surface);
+            }
+        }
+        let ray = Ray::new(point, axes[0])?;
+        let is_inside = match self.rule {
+            Rule::Parity => self.tracer.crossings(&ray) % 2 == 1,
+            Rule::Nonzero => self.tracer.winding(&ray) != 0,
+        };
+        Ok(if is_inside { Location::Inside } else { Location::Outside })
+    }
+}
+
+fn describe(boundary: &Boundary) -> impl fmt::Display {
+    let edge = boundary.first.map(|edge| {
+        format!(", first that of faces[{}] from vertex {} to vertex {}", edge.face, edge.ends[0], edge.ends[1])
+    });
+    format!("{} edges are covered an odd number of times{}", boundary.open, edge.unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests;
