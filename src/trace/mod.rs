@@ -23,6 +23,7 @@ mod accuracy;
 mod binary;
 #[cfg(any(test, feature = "generate"))]
 mod bounce;
+mod boundary;
 mod cast;
 mod child_order;
 mod continuation;
@@ -47,6 +48,7 @@ pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_
 pub use binary::BinaryTracer;
 #[cfg(any(test, feature = "generate"))]
 pub use bounce::{bounce, cut, reflect, reflect_each};
+pub use boundary::{Boundary, OpenEdge};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
 pub use counters::{Counters, WideCounters};

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::{MeshQueries, RayQueries};
-use crate::geom::{Boundary, Ray, RayError, Real as _, Vector};
+use super::{Boundary, MeshQueries, RayQueries};
+use crate::geom::{Ray, RayError, Real as _, Vector};
 
 /// How crossings of a closed mesh tell inside from outside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -42,8 +42,7 @@ pub enum SolidError {
 /// ```
 /// use glam::Vec3;
 /// use stackless_bvh::generate::stress;
-/// use stackless_bvh::geom::Boundary;
-/// use stackless_bvh::trace::{Location, Rule, Solid, Tracer};
+/// use stackless_bvh::trace::{Boundary, Location, Rule, Solid, Tracer};
 ///
 /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
 /// let tracer = Tracer::of(&mesh)?;

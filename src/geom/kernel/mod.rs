@@ -11,12 +11,11 @@ mod woop;
 
 pub use affine::{Affine, AffineTriangle};
 pub use bounds::{DETERMINANT, DISTANCE, EDGE, OFF, OFF_SIGN, QUOTIENT, QUOTIENT_FACTOR, SIGN};
+pub(crate) use exact::order_of_lines;
 pub use exact::{
     Accumulator, Certainty, EnclosedTest, Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Parity,
 };
-pub(super) use exact::{
-    Corrected, ExactOnce, FineDeterminants, USUAL, is_degenerate, order_of_lines, two_product, two_sum,
-};
+pub(super) use exact::{Corrected, ExactOnce, FineDeterminants, USUAL, is_degenerate, two_product, two_sum};
 pub use moller::{Moller32, Moller64};
 pub use woop::Woop;
 

@@ -44,7 +44,12 @@ fn points_are_where_the_boxes_say<V: Precision>() {
             })
             .collect();
         let cut = random.below(6) as usize;
-        let mesh: Mesh<V> = mesh(&boxes.iter().flat_map(|&it| faces(it, cut)).collect::<Vec<_>>());
+        let mut faces: Vec<_> = boxes.iter().flat_map(|&it| faces(it, cut)).collect();
+        if round % 2 == 1 {
+            // Seen from inside.
+            faces.iter_mut().for_each(|face| face.swap(0, 1));
+        }
+        let mesh: Mesh<V> = mesh(&faces);
         let boundary = Boundary::of(&mesh);
         assert!(boundary.is_closed() && boundary.is_oriented(), "{boxes:?} {boundary:?}");
         let bvh = Bvh::build(&mesh).expect("a tree");

@@ -33,7 +33,8 @@ use enclosed::decide;
 pub use enclosed::{Certainty, EnclosedTest};
 pub(in crate::geom) use fine::FineDeterminants;
 pub use parity::Parity;
-pub(in crate::geom) use predicates::{is_degenerate, order_of_lines};
+pub(in crate::geom) use predicates::is_degenerate;
+pub(crate) use predicates::order_of_lines;
 pub use single::{ExactFromSingle, MAX_COORDINATE, MIN_EDGE};
 pub(in crate::geom) use sum::{two_product, two_sum};
 

@@ -145,7 +145,7 @@ fn is_certain(a: f64, b: f64) -> bool {
 
 /// A total order of the lines from a point through two others, equal only if they are one line: by the slopes in y and z over
 /// x; then, of those without an x, by the slope in z over y. Exact, for numbers of any size.
-pub(in crate::geom) fn order_of_lines(from: DVec3, to: [DVec3; 2]) -> Ordering {
+pub(crate) fn order_of_lines(from: DVec3, to: [DVec3; 2]) -> Ordering {
     let [a, b] = to;
     // The steeper of two lines in a plane, whose first coordinates change by a[i] and b[i].
     let slope = |i: usize, j: usize, axis: DVec3| {

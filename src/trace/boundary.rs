@@ -17,15 +17,15 @@
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
-use super::kernel::order_of_lines;
-use super::{Mesh, Vector};
+use crate::geom::{Mesh, Vector, order_of_lines};
 use crate::threads;
 
 /// What the edges of a mesh say about its surface. Vertices of equal coordinates are one.
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::geom::{Boundary, Mesh};
+/// use stackless_bvh::geom::Mesh;
+/// use stackless_bvh::trace::Boundary;
 ///
 /// // A tetrahedron, of which one face is cut in two at a vertex in the middle of an edge.
 /// let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X * 0.5];
