@@ -196,7 +196,7 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
     }
 
     #[inline(always)]
-    fn distance<S: Simd>(&mut self, simd: S, nearest: &Nearest64) -> f64 {
+    fn distance<S: Simd>(&mut self, simd: S, nearest: Nearest64) -> f64 {
         let [lo, hi] = nearest.ends;
         if lo == hi {
             return lo + 0.0;
@@ -205,7 +205,7 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
     }
 
     #[inline(always)]
-    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: &Nearest64) -> Option<(f64, [f64; 2])> {
+    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Nearest64) -> Option<(f64, [f64; 2])> {
         let [lo, hi] = nearest.ends;
         if lo < hi
             && let Corrected { t: Some(t), weights: Some(weights) } = self.corrected(simd)

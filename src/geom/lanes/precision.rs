@@ -104,11 +104,12 @@ pub trait Hits<'a, V: Precision>: Debug {
         count: u32,
     ) -> Option<Self::Nearest>;
 
-    /// The distance of the nearest hit, rounded.
-    fn distance<S: Simd>(&mut self, simd: S, nearest: &Self::Nearest) -> V::Real;
+    /// The distance of the nearest hit, rounded. It gets the hit by value, as the next one does: what is pointed to is not in
+    /// registers, nor is the search that holds it.
+    fn distance<S: Simd>(&mut self, simd: S, nearest: Self::Nearest) -> V::Real;
 
     /// Distance and weights of the hit that was found last; `ANY` if by [`any`](Self::any).
-    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: &Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
+    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
 }
 
 impl Precision for Vec3 {
