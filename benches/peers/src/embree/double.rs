@@ -4,6 +4,10 @@
 //! triangles are user geometry, and their boxes are larger by √3 d 10⁻⁶, where d is the longest way through the scene, here
 //! its diagonal. The test is that of Plücker coordinates (Platis & Theoharis 2003); both neighbours compute their common
 //! edge alike.
+#![allow(
+    clippy::cast_possible_truncation,
+    reason = "Embree has triangles by 32 bits, and boxes and distances in single precision"
+)]
 
 use std::ffi::{c_int, c_uint, c_void};
 
@@ -152,8 +156,7 @@ impl DoubleContext {
 /// The box of a triangle.
 unsafe extern "C" fn bounds(arguments: *const BoundsArguments) {
     // SAFETY: Embree gives arguments, with the triangles that it was given.
-    let arguments = unsafe { &*arguments };
-    let Triangles { corners, margin } = unsafe { &*arguments.user.cast::<Triangles>() };
+    let (arguments, Triangles { corners, margin }) = unsafe { (&*arguments, &*(*arguments).user.cast::<Triangles>()) };
     let Some([a, b, c]) = corners.get(arguments.prim as usize) else { return };
     let lo = each_axis(|k| a[k].min(b[k]).min(c[k]) - margin);
     let hi = each_axis(|k| a[k].max(b[k]).max(c[k]) + margin);
