@@ -1,12 +1,13 @@
 //! Embree 3 through its C library, which is loaded when it is asked for.
 //!
 //! Scenes are static, of medium build quality, with the flag for robust tests or without flags, or dynamic ones that are
-//! refitted; single rays, as the others have them. Its manual recommends to let the processor flush denormal numbers; as
-//! that would change what the exact tests in the same thread compute, it is not done.
+//! refitted; single rays, as the others have them. [`DoubleScene`] tests triangles in double precision. Embree's manual
+//! recommends to let the processor flush denormal numbers; as that would change what the exact tests in the same thread
+//! compute, it is not done.
 //!
 //! # Safety
 //!
-//! This is the one module with `unsafe`. What it rests on:
+//! This module and its submodule are the only ones with `unsafe`. What it rests on:
 //! - The types and the declarations of functions are those of the headers of Embree 3.13, whose binary interface is the
 //!   same for all libraries of this soname. Sizes are checked when compiling.
 //! - The library is never unloaded: what it keeps for a thread is cleared when the thread ends. So its functions are
@@ -17,11 +18,16 @@
 //! - A ray and its hit are on the stack, with the alignment that Embree asks for, and outlive the call.
 #![allow(unsafe_code)]
 
+mod double;
+
 use std::ffi::{c_char, c_int, c_uint, c_void};
 use std::ptr;
 use std::sync::OnceLock;
 
 use libloading::Library;
+
+pub(crate) use double::DoubleScene;
+use double::{Bounds, Callback};
 
 use crate::{Hit, PeerError, Ray, Tracer, each};
 
@@ -138,11 +144,23 @@ api! {
     release_geometry: "rtcReleaseGeometry" fn(Handle);
     intersect: "rtcIntersect1" fn(Handle, *mut Context, *mut RayHit);
     occluded: "rtcOccluded1" fn(Handle, *mut Context, *mut RayPart);
+    set_count: "rtcSetGeometryUserPrimitiveCount" fn(Handle, c_uint);
+    set_user_data: "rtcSetGeometryUserData" fn(Handle, *mut c_void);
+    set_bounds: "rtcSetGeometryBoundsFunction" fn(Handle, Bounds, *mut c_void);
+    set_intersect: "rtcSetGeometryIntersectFunction" fn(Handle, Callback<RayHit>);
+    set_occluded: "rtcSetGeometryOccludedFunction" fn(Handle, Callback<RayPart>);
 }
 
 impl Scene {
     /// All indices must be of vertices.
     pub(crate) fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]], kind: Kind) -> Result<Self, PeerError> {
+        Self::of(TRIANGLES, vertices.len(), kind, |scene| {
+            scene.fill(VERTEX_BUFFER, FLOAT3, vertices) && scene.fill(INDEX_BUFFER, UINT3, triangles)
+        })
+    }
+
+    /// A scene of one geometry, which `fill` describes; it returns whether there is memory for that.
+    fn of(shape: c_int, vertices: usize, kind: Kind, fill: impl FnOnce(&Self) -> bool) -> Result<Self, PeerError> {
         let api = Api::load()?;
         // SAFETY: the text ends with a zero.
         let device = unsafe { (api.new_device)(c"threads=1".as_ptr()) };
@@ -150,16 +168,15 @@ impl Scene {
             return Err(PeerError::Refused("Embree has no device for this processor".to_owned()));
         }
         // SAFETY: the device is one.
-        let (handle, geometry) = unsafe { ((api.new_scene)(device), (api.new_geometry)(device, TRIANGLES)) };
-        let this = Self { device, handle, geometry, vertices: vertices.len(), api };
+        let (handle, geometry) = unsafe { ((api.new_scene)(device), (api.new_geometry)(device, shape)) };
+        let this = Self { device, handle, geometry, vertices, api };
         let Api { set_scene_flags, set_scene_quality, set_quality, commit_geometry, attach_geometry, .. } = *api;
         let Api { release_geometry, commit_scene, device_error, .. } = *api;
         // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is
         // given back here.
         let written = unsafe {
             set_scene_flags(handle, kind as c_int);
-            let written = this.fill(geometry, VERTEX_BUFFER, FLOAT3, vertices)
-                && this.fill(geometry, INDEX_BUFFER, UINT3, triangles);
+            let written = fill(&this);
             if written {
                 if kind == Kind::Moving {
                     // Only then the geometry has a tree of its own, which can be refitted.
@@ -200,11 +217,11 @@ impl Scene {
     }
 
     /// Makes a buffer of the geometry with these items, or says that there is no memory for it.
-    fn fill<T: Copy>(&self, geometry: Handle, kind: c_int, format: c_int, items: &[[T; 3]]) -> bool {
+    fn fill<T: Copy>(&self, kind: c_int, format: c_int, items: &[[T; 3]]) -> bool {
         // SAFETY: the geometry is one. The buffer that is made has room for the items, aligned for theirs (4 bytes),
         // and nobody else knows of it.
         unsafe {
-            let buffer = (self.api.new_buffer)(geometry, kind, 0, format, size_of::<[T; 3]>(), items.len());
+            let buffer = (self.api.new_buffer)(self.geometry, kind, 0, format, size_of::<[T; 3]>(), items.len());
             if !buffer.is_null() {
                 ptr::copy_nonoverlapping(items.as_ptr(), buffer.cast(), items.len());
             }
@@ -227,9 +244,7 @@ impl Tracer for Scene {
     fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         let mut context = Context::new();
         each(rays, hits, |ray| {
-            let ray = RayPart::new(ray);
-            let mut hit =
-                RayHit { ray, normal: [0.0; 3], weights: [0.0; 2], prim: NONE, geometry: NONE, instance: NONE };
+            let mut hit = RayHit::new(ray);
             // SAFETY: the scene is committed; context and ray are whole, aligned, and ours.
             unsafe { (self.api.intersect)(self.handle, &raw mut context, &raw mut hit) };
             (hit.geometry != NONE).then_some((hit.prim, hit.ray.tfar))
@@ -251,6 +266,14 @@ impl Context {
     /// What `rtcInitIntersectContext` makes.
     fn new() -> Self {
         Self { flags: 0, filter: ptr::null(), instance: NONE }
+    }
+}
+
+impl RayHit {
+    #[inline]
+    fn new(ray: &Ray) -> Self {
+        let ray = RayPart::new(ray);
+        Self { ray, normal: [0.0; 3], weights: [0.0; 2], prim: NONE, geometry: NONE, instance: NONE }
     }
 }
 

@@ -41,6 +41,7 @@ pub enum Peer {
     Parry3d,
     Embree,
     EmbreeRobust,
+    EmbreeDouble,
 }
 
 /// Why a peer does not trace a mesh.
@@ -62,8 +63,15 @@ pub enum PeerError {
 
 impl Peer {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::ObvhsBvh2, Self::ObvhsCwbvh, Self::Bvh, Self::Parry3d, Self::Embree, Self::EmbreeRobust];
+    pub const ALL: [Self; 7] = [
+        Self::ObvhsBvh2,
+        Self::ObvhsCwbvh,
+        Self::Bvh,
+        Self::Parry3d,
+        Self::Embree,
+        Self::EmbreeRobust,
+        Self::EmbreeDouble,
+    ];
 
     /// The name in tables.
     #[must_use]
@@ -75,6 +83,7 @@ impl Peer {
             Self::Parry3d => "parry3d",
             Self::Embree => "embree",
             Self::EmbreeRobust => "embree-robust",
+            Self::EmbreeDouble => "embree-double",
         }
     }
 
@@ -103,6 +112,10 @@ impl Peer {
             Self::Parry3d => Box::new(by_parry::Hierarchy::new(&corners)),
             Self::Embree => Box::new(embree::Scene::new(vertices, triangles, embree::Kind::Plain)?),
             Self::EmbreeRobust => Box::new(embree::Scene::new(vertices, triangles, embree::Kind::Robust)?),
+            Self::EmbreeDouble => {
+                let widen = |corners: [[f32; 3]; 3]| corners.map(|corner| corner.map(f64::from));
+                Box::new(embree::DoubleScene::new(corners.into_iter().map(widen).collect())?)
+            }
         })
     }
 }

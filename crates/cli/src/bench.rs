@@ -18,6 +18,7 @@ use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::Level;
 use stackless_bvh::trace::{Accuracy, Truth};
 use stackless_bvh::traverse::Method;
+use stackless_bvh::wide::Method as WideMethod;
 use stackless_suite::Traversal;
 
 use crate::build;
@@ -54,7 +55,8 @@ pub(crate) struct Args {
     scenes: Vec<PathBuf>,
     /// Traversals, separated by commas: `stackless methods` lists them. `stack` is always there. Those of wide trees are
     /// exact; their trees have eight children, and are built in the same way.
-    /// They trace two rays in turns.
+    /// They trace two rays in turns. With the default one, `wide-record`, the same rays and triangles are traced in double
+    /// precision too: `wide-record-f64`, over the first tree. Its distances are judged as rounded to single precision.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1,wide-stack,wide-record")]
     method: Vec<Traversal>,
@@ -78,7 +80,8 @@ pub(crate) struct Args {
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests.
+    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests. `embree-double`
+    /// is Embree's boxes around triangles that a callback tests in double precision.
     #[arg(long)]
     peers: bool,
     /// Write the figures to this file.
@@ -98,9 +101,9 @@ pub(crate) struct Extra {
     /// Ask wide trees for the weights of the closest hits too.
     #[arg(long)]
     weights: bool,
-    /// Measure double precision too, in places separated by commas: `f64`, the scene with an extent of 1 at the origin;
-    /// the same at `6.4e6` and at `1e9`, scaled by `1e-50` and by `1e50`; and rays whose least component is `1e-130`. It is
-    /// not judged.
+    /// Measure double precision too, in places separated by commas: `f64`, the scene as it is; with an extent of 1 at
+    /// `6.4e6` and at `1e9`, scaled by `1e-50` and by `1e50`; and rays whose least component is `1e-130`. Only the
+    /// first is judged.
     #[arg(long, conflicts_with = "peers", value_name = "PLACES", value_delimiter = ',', num_args = 0..=1)]
     #[arg(default_missing_value = double::NAMES, value_parser = double::place())]
     double: Vec<double::Place>,
@@ -125,6 +128,11 @@ trait Contestant {
 
     /// Level of accuracy; a peer has none.
     fn accuracy(&self) -> Option<Accuracy>;
+
+    /// What its tests are called in tables.
+    fn tests(&self) -> &'static str {
+        self.accuracy().map_or("own", Accuracy::name)
+    }
 
     /// Whether its answers are those of the rays that it takes.
     fn is_judged(&self) -> bool {
@@ -225,7 +233,9 @@ fn measure(args: &Args, extra: &Extra, scenes: &[Scene]) -> Result<Found, Box<dy
         if args.peers {
             contestants.extend(peers::build(&scene.mesh, &mut notes));
         }
-        contestants.extend(double::build(scene, builds[0], &extra.double, manner)?);
+        let as_it_is = wide_methods.contains(&WideMethod::default()).then_some(double::Place::AS_IT_IS);
+        let places = once_each(as_it_is.into_iter().chain(extra.double.iter().copied()));
+        contestants.extend(double::build(scene, builds[0], &places, manner)?);
         let course = Course { scene, truth: Truth::new(&scene.mesh), rounds: args.rounds as usize };
         let first = rows.len();
         let primary = args.place.of(scene).rays(args.count as usize);

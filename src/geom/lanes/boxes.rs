@@ -72,21 +72,19 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
             let (ranks, set) = enter_wide(self.entered.as_deref(), planes, end);
             return (V::load_array(self.simd, ranks), set);
         }
-        let (side, near, far) = (&self.side, &self.near, &self.far);
-        let near_x = self.distance(planes, 0, side[0], near);
-        let near_y = self.distance(planes, 1, side[1], near);
-        let near_z = self.distance(planes, 2, side[2], near);
-        let far_x = self.distance(planes, 0, side[0] ^ A, far);
-        let far_y = self.distance(planes, 1, side[1] ^ A, far);
-        let far_z = self.distance(planes, 2, side[2] ^ A, far);
-        Self::ranked(self.simd, [near_x, near_y, near_z, self.tmin], [far_x, far_y, far_z], end, self.lanes)
+        let [x, y, z] = self.side;
+        let [near_x, near_y, near_z] = Self::distances(self.simd, planes, [x, y, z], &self.origin, &self.near);
+        let opposite = [x ^ A, y ^ A, z ^ A];
+        let [far_x, far_y, far_z] = Self::distances(self.simd, planes, opposite, &self.origin, &self.far);
+        Self::ranked(self.simd, [near_x, near_y, near_z], self.tmin, [far_x, far_y, far_z], end, self.lanes)
     }
 
     /// The ranks and the set, by the distances of near planes and tmin, and by those of far planes. `[LANES-2]`
     #[inline(always)]
     pub(super) fn ranked(
         simd: S,
-        [near_x, near_y, near_z, tmin]: [V; 4],
+        [near_x, near_y, near_z]: [V; 3],
+        tmin: V,
         [far_x, far_y, far_z]: [V; 3],
         end: f32,
         lanes: V,
@@ -99,16 +97,27 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         (V::from_bits(bits | lanes.to_bits()), set)
     }
 
-    /// The planes of an axis that begin at 0, those of lo, or at `A`, those of hi.
+    /// The distances of the planes that begin at `side` on each axis, for a ray from `origin`.
     #[inline(always)]
-    pub(super) fn pick(simd: S, planes: &[[f32; A]; 2], side: usize) -> V {
-        let (planes, from) = (planes.as_flattened(), side & A);
-        V::from_slice(simd, &planes[from..from + A])
+    pub(super) fn distances(
+        simd: S,
+        [x, y, z]: &[[[f32; A]; 2]; 3],
+        side: [usize; 3],
+        origin: &[V; 3],
+        inverse: &[V; 3],
+    ) -> [V; 3] {
+        [
+            (Self::pick(simd, x, side[0]) - origin[0]) * inverse[0],
+            (Self::pick(simd, y, side[1]) - origin[1]) * inverse[1],
+            (Self::pick(simd, z, side[2]) - origin[2]) * inverse[2],
+        ]
     }
 
+    /// The planes of an axis that begin at 0, those of lo, or at `A`, those of hi.
     #[inline(always)]
-    fn distance(&self, planes: &[[[f32; A]; 2]; 3], axis: usize, side: usize, inverse: &[V; 3]) -> V {
-        (Self::pick(self.simd, &planes[axis], side) - self.origin[axis]) * inverse[axis]
+    fn pick(simd: S, planes: &[[f32; A]; 2], side: usize) -> V {
+        let (planes, from) = (planes.as_flattened(), side & A);
+        V::from_slice(simd, &planes[from..from + A])
     }
 }
 

@@ -1,12 +1,11 @@
 //! Four triangles in double precision: the filter, and the hits of a leaf by bounds of their distances.
 
-use fearless_simd::{Simd, SimdBase as _, SimdMask as _, f64x4};
+use fearless_simd::{Simd, SimdBase, SimdMask as _, f64x4};
 use glam::DVec3;
 
-use super::precision::Hits;
+use super::precision::{FourLanes as _, Hits};
 use super::triangles::{CONSTANTS, Found, OFF, OFF_EDGE};
 use super::{Block, LaneSet, TriangleRay, filled};
-use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Corrected, EDGE, Exact64, QUOTIENT, USUAL};
 use crate::geom::{EnclosedRay, Interval, Kernel as _, Once, Ray, Region, Triangle};
 
@@ -15,9 +14,6 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// As in single precision. `[LANES-5]`
 const OFF_REACH: f64 = 9.0 / (EDGE as f64 * UNIT);
-
-/// The greatest ε, for a direction of length 1, for which the filter is asked.
-const MAX_TURN: f64 = power_of_two(-10);
 
 impl<S: Simd> TriangleRay<S, DVec3> {
     /// Prepares a ray. `region` must hold all triangles that it is asked about.
@@ -31,22 +27,15 @@ impl<S: Simd> TriangleRay<S, DVec3> {
     pub(super) fn double_enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
         let ((origin, moved), (direction, turned)) =
             (Interval::middles(&ray.origin), Interval::middles(&ray.direction));
-        let is_usual = origin.is_finite()
-            && direction.is_finite()
-            && moved <= *USUAL.end()
-            && turned <= MAX_TURN * direction.abs().max_element();
-        let [moved, turned] = if is_usual { [moved, turned] } else { [f64::INFINITY; 2] };
-        let middle = Self::double_with(simd, [origin, direction], region, CONSTANTS.map(f64::from));
-        let [edge, off] = [OFF_EDGE, OFF].map(f64::from);
-        // The filter for hits beyond the limit needs the distance from the ray's origin.
-        let from_start = if ray.start == Interval::exact(0.0) { off * moved } else { f64::INFINITY };
-        Self {
-            edge: middle.edge + edge * turned,
-            det: middle.det + off * turned,
-            t: middle.t + from_start,
-            twice_c: middle.twice_c + OFF_REACH * moved,
-            ..middle
-        }
+        let middle = [origin, direction];
+        let constants = [OFF_EDGE.into(), OFF_REACH, OFF.into()];
+        Self::double_with(simd, middle, region, CONSTANTS.map(f64::from)).around(
+            simd,
+            ray,
+            middle,
+            [moved, turned],
+            constants,
+        )
     }
 
     /// The same with other constants, as [`with_constants`](TriangleRay::with_constants).
@@ -70,17 +59,34 @@ impl<S: Simd> TriangleRay<S, DVec3> {
     /// The lanes that the line certainly meets, and bounds of their distances. `[LANES-6]`
     #[inline(always)]
     fn certain(&self, simd: S, block: &Block<DVec3>, found: &Found<f64x4<S>>) -> (u32, [[f64; 4]; 2]) {
-        let Found { det, edges: [least, most], t } = *found;
-        let edge = f64x4::load_array_ref(simd, &block.edges);
-        // Twice the bound of one edge function, for its sign and the determinant's together.
-        let sign = ((self.edge + self.edge) * edge) * (self.twice_c + edge);
-        let is_met = least.simd_gt(sign) | most.simd_lt(-sign);
+        let (det, t, edge) = (found.det, found.t, f64x4::load_array_ref(simd, &block.edges));
         let square = edge * edge;
         let reciprocal = f64x4::splat(simd, 1.0) / det;
         let x = t * reciprocal;
         let error = (self.t * square + x.abs() * (self.det * square)) * reciprocal.abs()
             + x.abs() * (f64::from(QUOTIENT) * UNIT);
-        (is_met.to_bitmask() as u32 & 15, [(x - error).into(), (x + error).into()])
+        (self.is_met(edge, found).to_bitmask() as u32 & 15, [(x - error).into(), (x + error).into()])
+    }
+
+    /// The lanes that the ray certainly meets between these distances, and those that it certainly meets before. `[LANES-7]`
+    #[inline(always)]
+    fn placed(&self, simd: S, block: &Block<DVec3>, found: &Found<f64x4<S>>, [tmin, tmax]: [f64; 2]) -> [u32; 2] {
+        let (det, t, edge) = (found.det, found.t, f64x4::load_array_ref(simd, &block.edges));
+        let square = edge * edge;
+        let (t, t_off, det, det_off) = (t.turned(det), self.t * square, det.abs(), self.det * square);
+        let (is_met, end, least) = (self.is_met(edge, found), t + t_off, det - det_off);
+        let is_between = (t - t_off).simd_gt((det + det_off) * tmin) & end.simd_lt(least * tmax);
+        let is_before = end.simd_lt(least * tmin);
+        [(is_met & is_between).to_bitmask() as u32 & 15, (is_met & is_before).to_bitmask() as u32 & 15]
+    }
+
+    /// Whether the line certainly meets a triangle with this greatest component of its edges. `[LANES-6]`
+    #[inline(always)]
+    fn is_met(&self, edge: f64x4<S>, found: &Found<f64x4<S>>) -> <f64x4<S> as SimdBase<S>>::Mask {
+        let [least, most] = found.edges;
+        // Twice the bound of one edge function, for its sign and the determinant's together.
+        let sign = ((self.edge + self.edge) * edge) * (self.twice_c + edge);
+        least.simd_gt(sign) | most.simd_lt(-sign)
     }
 }
 
@@ -175,11 +181,12 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
         blocks: &'a [Block<DVec3>],
         count: u32,
     ) -> Option<Nearest64> {
+        let interval @ [_, tmax] = [self.ray.tmin(), self.ray.tmax()];
         for (block, filled) in filled(blocks, count) {
             let found = filter.found(simd, block);
-            let lanes = filter.left(simd, block, self.ray.tmax(), &found) & filled;
+            let lanes = filter.left(simd, block, tmax, &found) & filled;
             if lanes != 0
-                && let Some(lane) = self.blocking(block, lanes, filter.certain(simd, block, &found))
+                && let Some(lane) = self.blocking(block, lanes, filter.placed(simd, block, &found, interval))
             {
                 self.found = Some((block, lane));
                 return Some(Nearest64 { prim: block.prims[lane], ..self.none() });
@@ -189,7 +196,7 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
     }
 
     #[inline(always)]
-    fn distance<S: Simd>(&mut self, simd: S, nearest: &Nearest64) -> f64 {
+    fn distance<S: Simd>(&mut self, simd: S, nearest: Nearest64) -> f64 {
         let [lo, hi] = nearest.ends;
         if lo == hi {
             return lo + 0.0;
@@ -198,7 +205,7 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
     }
 
     #[inline(always)]
-    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: &Nearest64) -> Option<(f64, [f64; 2])> {
+    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Nearest64) -> Option<(f64, [f64; 2])> {
         let [lo, hi] = nearest.ends;
         if lo < hi
             && let Corrected { t: Some(t), weights: Some(weights) } = self.corrected(simd)
@@ -290,21 +297,10 @@ impl<'a> LazyExact64<'a> {
         Nearest64 { ends: [t, t], prim }
     }
 
-    /// One of these lanes, of which some are certainly met, whose triangle the ray meets within its interval.
+    /// One of these lanes whose triangle the ray meets within its interval, by those that it certainly meets there, and before.
     #[inline(always)]
-    fn blocking(
-        &self,
-        block: &Block<DVec3>,
-        lanes: u32,
-        (certain, [near, far]): (u32, [[f64; 4]; 2]),
-    ) -> Option<usize> {
-        for lane in LaneSet(lanes) {
-            let is_known = certain >> lane & 1 == 1 && (self.ray.tmin() < near[lane] && far[lane] < self.ray.tmax());
-            if is_known || self.blocks(block, lane) {
-                return Some(lane);
-            }
-        }
-        None
+    fn blocking(&self, block: &Block<DVec3>, lanes: u32, [between, before]: [u32; 2]) -> Option<usize> {
+        LaneSet(lanes & !before).find(|&lane| between >> lane & 1 == 1 || self.blocks(block, lane))
     }
 
     #[cold]

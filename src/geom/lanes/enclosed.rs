@@ -1,10 +1,11 @@
 //! The slab test of all boxes of a node, for a ray that is known within bounds.
 
 use fearless_simd::Simd;
+use glam::Vec3;
 
 use super::Lanes;
 use super::boxes::ranked_by_pairs;
-use super::lines::{Line, Lines};
+use super::lines::Lines;
 use crate::geom::slabs::{EnclosedSlabs, Slabs};
 
 /// A ray that is known within bounds, prepared for `A` boxes at once: 4 or 8. `[INST-4]`
@@ -21,8 +22,10 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> EnclosedBoxes<S, V, A> {
     /// Prepares a ray.
     #[inline(always)]
     pub fn new(simd: S, slabs: EnclosedSlabs) -> Self {
-        let [x, y, z] = slabs.axes();
-        Self { simd, lines: Lines::new(simd, [line(x), line(y), line(z)], slabs.tmin()), slabs }
+        let [(x, is_back_x), (y, is_back_y), (z, is_back_z)] = slabs.axes().map(line);
+        let part = |planes: usize, part: usize| Vec3::new(x[planes][part], y[planes][part], z[planes][part]);
+        let lines = [[part(0, 0), part(0, 1)], [part(1, 0), part(1, 1)]];
+        Self { simd, lines: Lines::new(simd, lines, [is_back_x, is_back_y, is_back_z], slabs.tmin()), slabs }
     }
 
     /// What [`BoxRay::enter`](super::BoxRay::enter) gives: the ranks of all boxes, and the set of those that any ray
@@ -37,9 +40,10 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> EnclosedBoxes<S, V, A> {
     }
 }
 
-/// Where the ray runs backward, it meets the upper plane first.
+/// For the near and the far plane, where the ray starts, and the reciprocal of its direction; and whether that runs backward,
+/// so that the ray meets the upper plane first.
 #[inline(always)]
-fn line([lo, hi]: [[f32; 2]; 2]) -> Line {
+fn line([lo, hi]: [[f32; 2]; 2]) -> ([[f32; 2]; 2], bool) {
     let [_, inverse] = lo;
     if inverse < 0.0 { ([hi, lo], true) } else { ([lo, hi], false) }
 }

@@ -31,14 +31,9 @@ impl<S: Simd> NodeBoxes<S, DVec3> for FramedBoxes<S> {
             Err(entered) => (Framed::MISSING, Some(entered)),
         };
         let Framed { near, far, backward, tmin, unit, start } = framed;
-        let [[o, i], [p, j]] = [near, far];
-        let backward = |axis: u32| backward >> axis & 1 == 1;
-        let lines = [
-            ([[o.x, i.x], [p.x, j.x]], backward(0)),
-            ([[o.y, i.y], [p.y, j.y]], backward(1)),
-            ([[o.z, i.z], [p.z, j.z]], backward(2)),
-        ];
-        let lines = Lines::new(simd, lines, tmin);
+        let is_backward = |axis: u32| backward >> axis & 1 == 1;
+        let lines = [[near[0].truncate(), near[1].truncate()], [far[0].truncate(), far[1].truncate()]];
+        let lines = Lines::new(simd, lines, [is_backward(0), is_backward(1), is_backward(2)], tmin);
         Self { simd, lines, unit, start, entered }
     }
 

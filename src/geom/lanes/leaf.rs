@@ -234,12 +234,12 @@ impl<'a> Hits<'a, Vec3> for LazyExact<'a> {
     }
 
     #[inline(always)]
-    fn distance<S: Simd>(&mut self, _: S, nearest: &Nearest) -> f32 {
+    fn distance<S: Simd>(&mut self, _: S, nearest: Nearest) -> f32 {
         nearest.t
     }
 
     #[inline(never)]
-    fn whole<S: Simd, const ANY: bool>(&mut self, _: S, nearest: &Nearest) -> Option<(f32, [f32; 2])> {
+    fn whole<S: Simd, const ANY: bool>(&mut self, _: S, nearest: Nearest) -> Option<(f32, [f32; 2])> {
         let shape = self.found()?;
         let exact = self.get();
         let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { nearest.t };

@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 
 use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, block};
 use crate::geom::frame::power_of_two;
-use crate::geom::kernel::{Exact, Exact64, Parity};
+use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
 use crate::geom::slabs::{Directed, Slabs, Wide};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
@@ -30,6 +30,9 @@ pub trait Precision: Vector {
     /// Edges count at least this much in the error bounds of the filter, so that these cover all errors of underflow
     /// too. `[LANES-3]`
     const MIN_EDGE: Self::Real;
+
+    /// What a ray may be off by, at most, for the filter to be asked. `[LANES-5]`
+    const MOST_OFF: f64;
 
     /// The filter of a ray that is known within bounds. `[LANES-5]`
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self>;
@@ -101,11 +104,12 @@ pub trait Hits<'a, V: Precision>: Debug {
         count: u32,
     ) -> Option<Self::Nearest>;
 
-    /// The distance of the nearest hit, rounded.
-    fn distance<S: Simd>(&mut self, simd: S, nearest: &Self::Nearest) -> V::Real;
+    /// The distance of the nearest hit, rounded. It gets the hit by value, as the next one does: what is pointed to is not in
+    /// registers, nor is the search that holds it.
+    fn distance<S: Simd>(&mut self, simd: S, nearest: Self::Nearest) -> V::Real;
 
     /// Distance and weights of the hit that was found last; `ANY` if by [`any`](Self::any).
-    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: &Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
+    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
 }
 
 impl Precision for Vec3 {
@@ -117,6 +121,7 @@ impl Precision for Vec3 {
 
     const HAS_ALL_COPIES: bool = true;
     const MIN_EDGE: f32 = super::MIN_EDGE;
+    const MOST_OFF: f64 = MAX_COORDINATE as f64;
 
     #[inline(always)]
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {
@@ -139,6 +144,7 @@ impl Precision for DVec3 {
     const HAS_ALL_COPIES: bool = false;
     /// So little that no scene is too small for it.
     const MIN_EDGE: f64 = power_of_two(-400);
+    const MOST_OFF: f64 = *USUAL.end();
 
     #[inline(always)]
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {

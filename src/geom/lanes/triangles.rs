@@ -6,8 +6,9 @@ use fearless_simd::{Simd, SimdBase as _, SimdMask as _, f32x4};
 use glam::Vec3;
 
 use super::{Block, FourLanes, Precision};
+use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{EDGE, MAX_COORDINATE};
-use crate::geom::{EnclosedRay, Interval, Ray, Region};
+use crate::geom::{EnclosedRay, Interval, Ray, Real as _, Region};
 
 /// Edges, and distances from the origin, count at least this much, 2^-40, in the error bounds, so that these cover all
 /// errors of underflow too. `[LANES-3]`
@@ -33,8 +34,8 @@ pub const OFF_REACH: f32 = 9.0 / (EDGE as f32 * UNIT);
 /// What the determinant is off by, times ε E E, and the distance times the determinant, times ω E E. `[LANES-5]`
 pub const OFF: f32 = 4.5;
 
-/// The greatest ε, for a direction of length 1, for which single precision is asked.
-const MAX_TURN: f32 = f32::from_bits((127 - 10) << 23);
+/// The greatest ε, for a direction of length 1, for which the filter is asked.
+const MAX_TURN: f64 = power_of_two(-10);
 
 /// Lengths of a direction (its greatest component) for which single precision is asked: 2^-20 to 2^20.
 const LENGTHS: [f32; 2] = [f32::from_bits((127 - 20) << 23), f32::from_bits((127 + 20) << 23)];
@@ -87,21 +88,9 @@ impl<S: Simd> TriangleRay<S> {
     #[inline(always)]
     pub(super) fn enclosed_with(simd: S, ray: &EnclosedRay, region: &Region, [edge, reach, off]: [f32; 3]) -> Self {
         let ((origin, moved), (direction, turned)) = (nearest(&ray.origin), nearest(&ray.direction));
-        let is_usual = origin.is_finite()
-            && direction.is_finite()
-            && moved <= MAX_COORDINATE
-            && turned <= MAX_TURN * direction.abs().max_element();
-        let [moved, turned] = if is_usual { [moved, turned] } else { [f32::INFINITY; 2] };
-        let middle = Self::with_constants(simd, [origin, direction], region, CONSTANTS);
-        // The filter for hits beyond the limit needs the distance from the ray's origin.
-        let from_start = if ray.start == Interval::exact(0.0) { off * moved } else { f32::INFINITY };
-        Self {
-            edge: middle.edge + edge * turned,
-            det: middle.det + off * turned,
-            t: middle.t + from_start,
-            twice_c: middle.twice_c + reach * moved,
-            ..middle
-        }
+        let middle = [origin, direction];
+        let exact = Self::with_constants(simd, middle, region, CONSTANTS);
+        exact.around(simd, ray, middle, [moved, turned], [edge, reach, off])
     }
 
     /// [`new`](Self::new) with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of these.
@@ -131,6 +120,35 @@ impl<S: Simd> TriangleRay<S> {
 }
 
 impl<S: Simd, V: Precision> TriangleRay<S, V> {
+    /// The same for all rays around its own, `middle`: `off` by so much in components of origin and direction. `[LANES-5]`
+    #[inline(always)]
+    pub(super) fn around(
+        self,
+        simd: S,
+        ray: &EnclosedRay,
+        middle: [V; 2],
+        off: [V::Real; 2],
+        [of_edge, of_reach, of_volume]: [V::Real; 3],
+    ) -> Self {
+        let [origin, direction] = middle.map(V::widen);
+        let is_usual = origin.is_finite()
+            && direction.is_finite()
+            && off[0].into() <= V::MOST_OFF
+            && off[1].into() <= MAX_TURN * direction.abs().max_element();
+        let [moved, turned] = if is_usual { off } else { [V::Real::INFINITY; 2] };
+        let [moved, turned] = [V::Lanes::splat(simd, moved), V::Lanes::splat(simd, turned)];
+        // The filter for hits beyond the limit needs the distance from the ray's origin.
+        let is_from_start = ray.start == Interval::exact(0.0);
+        let from_start = if is_from_start { moved * of_volume } else { V::Lanes::splat(simd, V::Real::INFINITY) };
+        Self {
+            edge: self.edge + turned * of_edge,
+            det: self.det + turned * of_volume,
+            t: self.t + from_start,
+            twice_c: self.twice_c + moved * of_reach,
+            ..self
+        }
+    }
+
     /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly
     /// missed `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
     #[inline(always)]

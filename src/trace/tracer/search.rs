@@ -57,9 +57,9 @@ impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, AN
         let zero = V::Real::ZERO;
         match ask {
             Ask::Any => Some(Hit { prim, t: zero, u: zero, v: zero }),
-            Ask::Distance => Some(Hit { prim, t: self.hits.distance(self.simd, &self.nearest), u: zero, v: zero }),
+            Ask::Distance => Some(Hit { prim, t: self.hits.distance(self.simd, self.nearest), u: zero, v: zero }),
             Ask::Closest | Ask::AnyHit => {
-                let (t, [u, v]) = self.hits.whole::<S, ANY>(self.simd, &self.nearest)?;
+                let (t, [u, v]) = self.hits.whole::<S, ANY>(self.simd, self.nearest)?;
                 Some(Hit { prim, t, u, v })
             }
         }

@@ -110,9 +110,10 @@ fn link(target: &Path, path: &Path) -> Result<(), CopyError> {
     std::os::unix::fs::symlink(target, path).map_err(failed(path))
 }
 
-/// Removes Rust files of earlier copies: a test that is left over could fail, or catch a bug.
+/// Removes Rust files of earlier copies, since a test that is left over could fail, or catch a bug. Likewise seeds that proptest
+/// has written where tests of a copy ran without this tool, which has it neither write nor read seeds.
 fn remove_others(copy: &Path, files: &[String]) -> Result<(), CopyError> {
-    for folder in ["src", "tests", "crates", "proofs"] {
+    for folder in ["src", "tests", "crates", "proofs", "proptest-regressions"] {
         let mut folders = vec![copy.join(folder)];
         while let Some(folder) = folders.pop() {
             for entry in fs::read_dir(&folder).map_err(failed(&folder))? {
@@ -123,7 +124,7 @@ fn remove_others(copy: &Path, files: &[String]) -> Result<(), CopyError> {
                 };
                 if path.is_dir() {
                     folders.push(path);
-                } else if path.extension().is_some_and(|ending| ending == "rs") && !is_listed() {
+                } else if path.extension().is_some_and(|ending| ending == "rs" || ending == "txt") && !is_listed() {
                     fs::remove_file(&path).map_err(failed(&path))?;
                 }
             }

@@ -116,6 +116,9 @@ mod tests {
         assert_eq!(shell("echo test a::b ... FAILED; exec sleep 60"), End::Failed("a::b".into()));
         assert_eq!(shell("test $STACKLESS_PLANTED = 7 && echo test c ... FAILED"), End::Failed("c".into()));
         assert_eq!(shell("exec sleep 60"), End::TimedOut);
+        // No seeds are written, which later bugs would be tested with.
+        let is_off = "test -n \"$PROPTEST_DISABLE_FAILURE_PERSISTENCE\" && echo test d ... FAILED";
+        assert_eq!(shell(is_off), End::Failed("d".into()));
         assert_eq!(shell("exit 3"), End::Failed("the program ended with exit status: 3".into()));
     }
 }

@@ -1,10 +1,12 @@
-//! Double precision: the same rays and triangles, where they are and in places that single precision cannot hold.
+//! The default traversal in double precision: the same rays and triangles, where they are and in places that single
+//! precision cannot hold.
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::{Aabb, Mesh, Ray};
 use stackless_bvh::trace::{Accuracy, Tracer};
+use stackless_bvh::wide::Topology as _;
 
 use super::wide::Manner;
 use super::{Contestant, timed};
@@ -12,8 +14,8 @@ use crate::build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Query};
 
-/// Where a scene stands. It is brought to an extent of about 1 first.
-#[derive(Clone, Copy)]
+/// Where a scene stands. But for [`AS_IT_IS`](Place::AS_IT_IS), it is brought to an extent of about 1 first.
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     name: &'static str,
     scale: f64,
@@ -24,13 +26,18 @@ pub(crate) struct Place {
 }
 
 const PLACES: [Place; 6] = [
-    Place { name: "f64", scale: 1.0, shift: 0.0, tilt: 0.0 },
+    Place::AS_IT_IS,
     Place { name: "f64 at 6.4e6", scale: 1.0, shift: 6.4e6, tilt: 0.0 },
     Place { name: "f64 at 1e9", scale: 1.0, shift: 1e9, tilt: 0.0 },
     Place { name: "f64 by 1e-50", scale: 1e-50, shift: 0.0, tilt: 0.0 },
     Place { name: "f64 by 1e50", scale: 1e50, shift: 0.0, tilt: 0.0 },
     Place { name: "f64 with 1e-130", scale: 1.0, shift: 0.0, tilt: 1e-130 },
 ];
+
+impl Place {
+    /// Nothing is rounded, so its answers are those of the scene in single precision.
+    pub(super) const AS_IT_IS: Self = Self { name: "wide-record-f64", scale: 1.0, shift: 0.0, tilt: 0.0 };
+}
 
 /// The names of all places.
 pub(super) const NAMES: &str = "f64,6.4e6,1e9,1e-50,1e50,1e-130";
@@ -52,13 +59,24 @@ pub(super) fn build(
     let extent = f64::from((hi - lo).max_element());
     let mut built = Vec::<Box<dyn Contestant>>::new();
     for &place in places {
-        let middle = (lo.as_dvec3() + hi.as_dvec3()) * 0.5;
-        let space = Space { place, middle, unit: if extent > 0.0 { 1.0 / extent } else { 1.0 } };
+        let space = if place == Place::AS_IT_IS || extent == 0.0 {
+            Space { place, middle: DVec3::ZERO, unit: 1.0 }
+        } else {
+            Space { place, middle: (lo.as_dvec3() + hi.as_dvec3()) * 0.5, unit: 1.0 / extent }
+        };
         let vertices = scene.mesh.vertices().iter().map(|&v| space.point(v)).collect();
         let mesh = Mesh::new(vertices, scene.mesh.triangles().to_vec())?;
         let (bvh, build_seconds) = timed(|| build::options(build).build_wide(&mesh))?;
         let tracer = Tracer::new(bvh).with_level(manner.level);
-        built.push(Box::new(Double { space, tracer, build_seconds, rays: Vec::new(), manner }));
+        built.push(Box::new(Double {
+            space,
+            build,
+            tracer,
+            build_seconds,
+            rays: Vec::new(),
+            found: Vec::new(),
+            manner,
+        }));
     }
     Ok(built)
 }
@@ -87,10 +105,13 @@ impl Space {
 
 struct Double {
     space: Space,
+    build: Builder,
     tracer: Tracer<WideBvh<8, DVec3>, DVec3>,
     build_seconds: f64,
     /// The rays that were taken.
     rays: Vec<Ray<DVec3>>,
+    /// Room for answers.
+    found: Vec<Option<(u32, f64)>>,
     manner: Manner,
 }
 
@@ -100,16 +121,20 @@ impl Contestant for Double {
     }
 
     fn build(&self) -> Option<Builder> {
-        None
+        Some(self.build)
     }
 
-    /// None of those that are compared with single precision: its rays are others.
+    /// None of those that are compared bit by bit: distances are rounded twice, or the rays are others.
     fn accuracy(&self) -> Option<Accuracy> {
         None
     }
 
+    fn tests(&self) -> &'static str {
+        Accuracy::Exact.name()
+    }
+
     fn is_judged(&self) -> bool {
-        false
+        self.space.place == Place::AS_IT_IS
     }
 
     fn take(&mut self, rays: &[Ray]) {
@@ -117,10 +142,15 @@ impl Contestant for Double {
         let other = Ray::new(DVec3::ZERO, DVec3::X);
         let taken = rays.iter().filter_map(|ray| self.space.ray(ray).or(other.as_ref().ok().copied()));
         self.rays = taken.collect();
+        self.found = vec![None; rays.len()];
     }
 
     fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]) {
-        self.manner.trace(&self.tracer, query, &self.rays[first..first + rays.len()], answers);
+        let found = &mut self.found[..rays.len()];
+        self.manner.trace(&self.tracer, query, &self.rays[first..first + rays.len()], found);
+        for (answer, &found) in answers.iter_mut().zip(&*found) {
+            *answer = found.map(|(prim, t)| (prim, t as f32));
+        }
     }
 
     fn nodes(&mut self, query: Query, _: &[Ray]) -> Option<u64> {
@@ -134,7 +164,7 @@ impl Contestant for Double {
     }
 
     fn state_bytes(&self) -> Option<usize> {
-        None
+        Some(self.tracer.method().state_bytes::<8>(self.tracer.bvh().levels() as usize))
     }
 
     fn build_seconds(&self) -> f64 {

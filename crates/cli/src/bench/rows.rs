@@ -49,7 +49,7 @@ impl Row {
             rays: set.kind,
             build: contestant.build().map_or_else(|| "own".to_owned(), |build| build.to_string()),
             method: contestant.method(),
-            accuracy: contestant.accuracy().map_or("own", |level| level.name()),
+            accuracy: contestant.tests(),
             count: set.rays.len(),
             mrays: f64::NAN,
             ratio: f64::NAN,

@@ -4,8 +4,8 @@ use std::borrow::Borrow;
 use std::hint::black_box;
 
 use stackless_bvh::bvh::{Builder, WideBvh};
-use stackless_bvh::geom::Ray;
 use stackless_bvh::geom::lanes::{Level, Precision};
+use stackless_bvh::geom::{Ray, Real as _};
 use stackless_bvh::trace::{Accuracy, Hit, RayQueries, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
@@ -39,28 +39,21 @@ impl Manner {
         tracer: &Tracer<impl Borrow<WideBvh<8, V>>, V>,
         query: Query,
         rays: &[Ray<V>],
-        answers: &mut [Answer],
+        answers: &mut [Option<(u32, V::Real)>],
     ) {
-        let single = |(prim, t): (u32, V::Real)| (prim, Into::<f64>::into(t) as f32);
-        let of_hit = |hit: Option<Hit<V::Real>>| {
-            // Weights are computed only if somebody wants them.
-            hit.map(|hit| single((hit.prim, black_box(hit).t)))
-        };
-        let of_any = |is_hit: bool| is_hit.then_some((0, 0.0));
+        // Weights are computed only if somebody wants them.
+        let of_hit = |hit: Option<Hit<V::Real>>| hit.map(|hit| (hit.prim, black_box(hit).t));
+        let of_any = |is_hit: bool| is_hit.then_some((0, V::Real::ZERO));
         let piece = if self.is_alone { 1 } else { rays.len().max(1) };
         for (rays, answers) in rays.chunks(piece).zip(answers.chunks_mut(piece)) {
             match (query, rays) {
                 (Query::Closest, [ray]) if self.with_weights => answers[0] = of_hit(tracer.closest(ray)),
-                (Query::Closest, [ray]) => answers[0] = tracer.closest_distance(ray).map(single),
+                (Query::Closest, [ray]) => answers[0] = tracer.closest_distance(ray),
                 (Query::Any, [ray]) => answers[0] = of_any(tracer.any(ray)),
                 (Query::Closest, _) if self.with_weights => {
                     answers.iter_mut().zip(tracer.closest_each(rays)).for_each(|(answer, hit)| *answer = of_hit(hit));
                 }
-                (Query::Closest, _) => {
-                    let mut found = vec![None; rays.len()];
-                    tracer.closest_distances(rays, &mut found);
-                    answers.iter_mut().zip(found).for_each(|(answer, found)| *answer = found.map(single));
-                }
+                (Query::Closest, _) => tracer.closest_distances(rays, answers),
                 (Query::Any, _) => {
                     answers.iter_mut().zip(tracer.any_each(rays)).for_each(|(answer, hit)| *answer = of_any(hit));
                 }

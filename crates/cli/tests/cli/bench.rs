@@ -6,8 +6,18 @@ use serde_json::Value;
 
 use super::support::{Folder, Run, read_json, stackless};
 
-const METHODS: [&str; 9] =
-    ["stack", "sparse", "afra", "uncle", "hashed", "hash-only", "implicit-b1", "wide-stack", "wide-record"];
+const METHODS: [&str; 10] = [
+    "stack",
+    "sparse",
+    "afra",
+    "uncle",
+    "hashed",
+    "hash-only",
+    "implicit-b1",
+    "wide-stack",
+    "wide-record",
+    "wide-record-f64",
+];
 const KINDS: [&str; 3] = ["primary", "any", "diffuse"];
 
 /// A run over made scenes with few rays, and its rows.

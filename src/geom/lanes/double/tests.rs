@@ -2,21 +2,37 @@ use fearless_simd::dispatch;
 
 use super::*;
 use crate::generate::{double, stress};
+use crate::geom::frame::power_of_two;
 use crate::geom::lanes::tests::levels;
 use crate::geom::lanes::{Level, Precision as _};
 use crate::geom::tests::exact;
 use crate::geom::truth;
 use crate::geom::{Frame, Mesh};
 
-/// The lanes of a block that are left at a level, those that are certain, and the bits of the bounds.
+/// What a level tells of the lanes of a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Told {
+    left: u32,
+    certain: u32,
+    /// Bits of the bounds.
+    ends: [[u64; 4]; 2],
+    /// After the best distance, before it, and between 0 and it.
+    after: u32,
+    before: u32,
+    within: u32,
+}
+
 #[inline(always)]
-fn told<S: Simd>(simd: S, ray: &TriangleRay<S, DVec3>, block: &Block<DVec3>, best: f64) -> (u32, u32, [[u64; 4]; 2]) {
+fn told<S: Simd>(simd: S, ray: &TriangleRay<S, DVec3>, block: &Block<DVec3>, best: f64) -> Told {
     let found = ray.found(simd, block);
     let (certain, ends) = ray.certain(simd, block, &found);
     // Of other lanes they mean nothing.
     let bits = |lane: usize, end: f64| if certain >> lane & 1 == 1 { end.to_bits() } else { 0 };
     let ends = ends.map(|ends| [0, 1, 2, 3].map(|lane| bits(lane, ends[lane])));
-    (ray.left(simd, block, best, &found), certain, ends)
+    let left = ray.left(simd, block, best, &found);
+    let [after, before] = ray.placed(simd, block, &found, [best, f64::INFINITY]);
+    let [within, _] = ray.placed(simd, block, &found, [0.0, best]);
+    Told { left, certain, ends, after, before, within }
 }
 
 fn region(frame: &Frame, triangles: &[Triangle<DVec3>]) -> Region {
@@ -35,10 +51,10 @@ fn scenes(rays: usize) -> impl Iterator<Item = (Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     })
 }
 
-/// [LANES-3] [LANES-4] [LANES-5] [LANES-6]
+/// [LANES-3] [LANES-4] [LANES-5] [LANES-6] [LANES-7]
 #[test]
 fn what_is_told_of_four_triangles_is_true() {
-    let (mut rejected, mut certain_hits, mut enclosed) = (0, 0, 0);
+    let (mut rejected, mut certain_hits, mut placed, mut enclosed) = (0, 0, 0, 0);
     for (mesh, rays) in scenes(40) {
         let n = mesh.triangles().len();
         for (i, ray) in rays.iter().enumerate() {
@@ -56,8 +72,9 @@ fn what_is_told_of_four_triangles_is_true() {
                 let mut answers = levels().into_iter().map(|level| {
                     dispatch!(level, simd => told(simd, &TriangleRay::double(simd, ray, &region), &block, best))
                 });
-                let (left, certain, ends) = answers.next().expect("a level");
-                assert!(answers.all(|answer| answer == (left, certain, ends)), "{ray:?} {triangles:?} {best}");
+                let told = answers.next().expect("a level");
+                assert!(answers.all(|answer| answer == told), "{ray:?} {triangles:?} {best}");
+                let Told { left, certain, ends, after, before, within } = told;
                 for (lane, t) in hits.iter().enumerate() {
                     let is_left = left >> lane & 1 == 1;
                     rejected += u32::from(!is_left);
@@ -68,6 +85,12 @@ fn what_is_told_of_four_triangles_is_true() {
                         let t = t.as_ref().expect("a certain hit is one");
                         assert!(exact(lo) <= *t && *t <= exact(hi), "{ray:?} {:?} {lo} {hi}", triangles[lane]);
                         certain_hits += 1;
+                        let [is_after, is_before, is_within] = [after, before, within].map(|set| set >> lane & 1 == 1);
+                        let is_least = best.is_infinite() || *t < exact(best);
+                        assert!(!is_after || !is_least && *t != exact(best), "{ray:?} {triangles:?} {best}");
+                        assert!(is_least || !is_before && !is_within, "{ray:?} {triangles:?} {best}");
+                        assert!(!is_within || *t > truth::RBig::ZERO, "{ray:?} {triangles:?} {best}");
+                        placed += [is_after, is_before, is_within].map(u32::from).iter().sum::<u32>();
                     }
                 }
                 // The ray is within bounds that hold it: nothing of it is rejected either.
@@ -88,7 +111,8 @@ fn what_is_told_of_four_triangles_is_true() {
             }
         }
     }
-    assert!(rejected > 10_000 && certain_hits > 10_000 && enclosed > 5_000, "{rejected} {certain_hits} {enclosed}");
+    assert!(rejected > 10_000 && certain_hits > 10_000, "{rejected} {certain_hits}");
+    assert!(placed > 10_000 && enclosed > 5_000, "{placed} {enclosed}");
 }
 
 #[inline(always)]
@@ -102,8 +126,8 @@ fn ask<S: Simd>(
     let mut hits = <LazyExact64<'_> as Hits<'_, DVec3>>::new(ray, region);
     let (filter, none) = (hits.filter(simd), hits.none());
     let nearest = hits.nearest(simd, &filter, blocks, count, none);
-    let found = LazyExact64::prim(&nearest).map(|prim| (prim, hits.distance(simd, &nearest)));
-    let whole = hits.whole::<S, false>(simd, &nearest);
+    let found = LazyExact64::prim(&nearest).map(|prim| (prim, hits.distance(simd, nearest)));
+    let whole = hits.whole::<S, false>(simd, nearest);
     assert_eq!(found.map(|(_, t)| t), whole.map(|(t, _)| t).filter(|_| found.is_some()));
     (found, hits.any(simd, &filter, blocks, count).map(|hit| hit.prim))
 }
@@ -203,7 +227,7 @@ fn bounds_are_great_enough_for_the_worst() {
         let t = meeting.within([f64::MIN, f64::MAX]).map(|point| point.t);
         let best = t.as_ref().map_or(-1.0, truth::round_f64);
         for level in levels() {
-            let (left, certain, [lo, hi]) =
+            let Told { left, certain, ends: [lo, hi], .. } =
                 dispatch!(level, simd => told(simd, &TriangleRay::double(simd, &ray, &region), &block, best));
             assert!(best < 0.0 || left & 1 == 1, "{ray:?} {triangle:?}");
             let [lo, hi] = [lo, hi].map(|ends| f64::from_bits(ends[0]));
