@@ -21,13 +21,14 @@ pub(crate) const PIECE: usize = 1 << 16;
 const ROW_BYTES: usize = 1 << 10;
 
 /// Reads some rows with the interpreter's lock, answers them without it, and keeps the answers with it; and so on to
-/// the last row. After each piece `progress(done, count)` is called, which may fork: so each piece finds its threads.
+/// the last row. No more than `few` rows are left to this thread, and others to all. After each piece
+/// `progress(done, count)` is called, which may fork: so each piece finds its threads.
 ///
 /// # Errors
 /// Those of the three, of `progress`, and of signals: `KeyboardInterrupt`.
 pub(crate) fn in_pieces<I: Send, A: Send>(
     py: Python<'_>,
-    count: usize,
+    (count, few): (usize, usize),
     progress: Option<&Bound<'_, PyAny>>,
     read: impl Fn(&Threads, Range<usize>) -> PyResult<I>,
     answer: impl Fn(I) -> PyResult<A> + Sync,
@@ -36,7 +37,7 @@ pub(crate) fn in_pieces<I: Send, A: Send>(
     for first in (0..count).step_by(PIECE) {
         let rows = first..count.min(first + PIECE);
         let done = rows.end;
-        let threads = Threads::of_rows(py, rows.len())?;
+        let threads = if rows.len() <= few { Threads::one() } else { Threads::all(py)? };
         memory::check(rows.len() * ROW_BYTES)?;
         let input = read(&threads, rows)?;
         keep(&threads, py.detach(|| threads.run(|| answer(input)))?)?;

@@ -114,7 +114,7 @@ impl Instances {
             }
             Ok(())
         };
-        in_pieces(py, rays.len(), progress.as_ref(), |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+        in_pieces(py, (rays.len(), FEW), progress.as_ref(), |threads, rows| rays.chunk(threads, rows), answer, keep)?;
         Ok((paths.into_pyarray(py).reshape([rays.len(), levels])?, found.into_arrays(py)?))
     }
 
@@ -131,7 +131,7 @@ impl Instances {
             found.extend(hits);
             Ok(())
         };
-        in_pieces(py, rays.len(), progress.as_ref(), |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+        in_pieces(py, (rays.len(), FEW), progress.as_ref(), |threads, rows| rays.chunk(threads, rows), answer, keep)?;
         Ok(found.into_pyarray(py))
     }
 }

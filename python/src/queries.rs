@@ -35,7 +35,7 @@ pub(crate) fn closest<'py, S: Space>(
         found.extend(threads, &hits);
         Ok(())
     };
-    in_pieces(py, rays.len(), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     found.into_arrays(py)
 }
 
@@ -52,7 +52,7 @@ pub(crate) fn any<'py, S: Space>(
         found.extend(hits);
         Ok(())
     };
-    in_pieces(py, rays.len(), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok(found.into_pyarray(py))
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn crossings<'py, S: Space>(
         found.extend(counts.into_iter().map(i64::from));
         Ok(())
     };
-    in_pieces(py, rays.len(), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok(found.into_pyarray(py))
 }
 
@@ -100,7 +100,7 @@ pub(crate) fn all<'py, S: Space>(
         }
         Ok(())
     };
-    in_pieces(py, rays.len(), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok((offsets.into_pyarray(py), found.into_arrays(py)?, places.into_pyarray(py)))
 }
 
@@ -186,7 +186,7 @@ pub(crate) fn contains<'py, S: Space>(
         found.extend(inside);
         Ok(())
     };
-    in_pieces(py, array.nrows(), progress, read, answer, keep)?;
+    in_pieces(py, (array.nrows(), FEW), progress, read, answer, keep)?;
     Ok(found.into_pyarray(py))
 }
 
@@ -245,6 +245,7 @@ pub(crate) fn nearest<'py, S: Space>(
     };
     // No point has more faces near it than there are.
     let most = k.min(faces);
+    let few = if k == 1 { FEW } else { FEW_BALLS };
     let answer = |balls: Vec<_>| nearest_of(bvh, &balls, most);
     let keep = |_: &Threads, all: Vec<Vec<Near<S::Vector>>>| {
         for nears in all {
@@ -260,11 +261,14 @@ pub(crate) fn nearest<'py, S: Space>(
         }
         Ok(())
     };
-    in_pieces(py, count, progress, read, answer, keep)?;
+    in_pieces(py, (count, few), progress, read, answer, keep)?;
     let shape = [count, k];
     let [distance, point] = [distance, point].map(|numbers| numbers.into_pyarray(py));
     Ok((distance.reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, point.reshape([numbers, 3])?))
 }
+
+/// A search for several triangles takes longer than a ray.
+const FEW_BALLS: usize = 64;
 
 /// More than a triangle takes while it is among the nearest.
 const NEAR_BYTES: usize = 128;
@@ -274,7 +278,7 @@ fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResul
         let nears = bvh.nearest(balls).map_err(failed)?;
         return Ok(nears.into_iter().map(|near| near.into_iter().collect()).collect());
     }
-    let chunks = of_chunks(balls, 64, |balls| {
+    let chunks = of_chunks(balls, FEW_BALLS, |balls| {
         check_environment().map_err(failed)?;
         let mut all = room(balls.len())?;
         for ball in balls {

@@ -314,13 +314,16 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         triangles.extend_from_slice(self.mesh.triangles());
         let mesh = py.detach(|| threads.run(|| mesh_of::<S>(vertices, triangles)))?;
         look(1)?;
-        // More than optimizing takes; and a copy, if others share the hierarchy.
-        let shared = if Arc::get_mut(&mut self.bvh).is_none() { self.bvh.bytes() } else { 0 };
-        memory::check_shared(shared + 64 * mesh.triangles().len(), threads.count())?;
+        if Arc::get_mut(&mut self.bvh).is_none() {
+            // Others share the hierarchy, so that it is copied.
+            memory::check(self.bvh.bytes())?;
+        }
         py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).refit(&mesh)))?;
         (self.mesh, self.edges) = (Arc::new(mesh), OnceLock::new());
         look(2)?;
         if optimize {
+            // More than was seen to be in use.
+            memory::check_shared(self.bvh.bytes() + 128 * self.mesh.triangles().len(), threads.count())?;
             py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).optimize()))?;
             look(3)?;
         }

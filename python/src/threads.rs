@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// One thread answers so many rows: to wake another would take longer. The library has the same limit.
+/// One thread traces so many rays: to wake another would take longer. The library has the same limit.
 pub(crate) const FEW: usize = 256;
 
 /// The pool, and the process that made it.
@@ -21,9 +21,9 @@ static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 pub(crate) struct Threads(Option<Arc<ThreadPool>>);
 
 impl Threads {
-    /// Those for work on so many rows.
-    pub(crate) fn of_rows(py: Python<'_>, count: usize) -> PyResult<Self> {
-        if count <= FEW { Ok(Self(None)) } else { Self::all(py) }
+    /// The one that calls.
+    pub(crate) const fn one() -> Self {
+        Self(None)
     }
 
     /// All threads: as many as processors, or as `RAYON_NUM_THREADS` says.
@@ -72,13 +72,13 @@ pub(crate) fn none_started(error: impl ToString) -> PyErr {
 /// Rows that a thread reads or keeps at once.
 pub(crate) const ROWS: usize = 4096;
 
-/// What is made of each piece of some items, in order: by this thread if it is one piece, and by all otherwise.
+/// What is made of each piece of some items, in order. It is one piece, if this thread has no others to share with.
 pub(crate) fn of_chunks<I: Sync, A: Send>(
     items: &[I],
     chunk: usize,
     of_chunk: impl Fn(&[I]) -> PyResult<A> + Sync,
 ) -> PyResult<Vec<A>> {
-    if items.len() <= chunk {
+    if items.len() <= chunk || rayon::current_thread_index().is_none() {
         return Ok(vec![of_chunk(items)?]);
     }
     items.par_chunks(chunk).map(&of_chunk).collect()
