@@ -317,7 +317,7 @@ impl<R: Coordinate> Found<R> {
 
     /// On all threads: a processor traces some million rays a second, and one thread would keep little more.
     fn extend(&mut self, threads: &Threads, hits: &[Option<Hit<R>>]) {
-        if hits.len() <= FEW {
+        if hits.len() <= ROWS {
             for hit in hits {
                 self.push(hit.as_ref());
             }

@@ -57,8 +57,10 @@ impl Threads {
     /// What `f` makes of each index, or none of that if it makes nothing of one.
     pub(crate) fn map<A: Send>(&self, range: Range<usize>, f: impl Fn(usize) -> Option<A> + Sync) -> Option<Vec<A>> {
         match &self.0 {
-            Some(pool) => pool.install(|| range.into_par_iter().with_min_len(ROWS).map(&f).collect()),
-            None => range.map(f).collect(),
+            Some(pool) if range.len() > ROWS => {
+                pool.install(|| range.into_par_iter().with_min_len(ROWS).map(&f).collect())
+            }
+            _ => range.map(f).collect(),
         }
     }
 }
