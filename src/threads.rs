@@ -81,7 +81,8 @@ pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     }
 }
 
-/// What `f` makes of each index, in order. A thread takes at least `least` at once.
+/// What `f` makes of each index, in order. A thread takes at least `least` at once: so many are done by the one that
+/// calls, and no other thread is started or woken for them.
 pub(crate) fn map<A: Send>(range: Range<usize>, least: usize, f: impl Fn(usize) -> A + Sync + Send) -> Vec<A> {
     let mut all = Vec::new();
     map_into(&mut all, range, least, f);
@@ -96,8 +97,10 @@ pub(crate) fn map_into<A: Send>(
     f: impl Fn(usize) -> A + Sync + Send,
 ) {
     #[cfg(feature = "parallel")]
-    range.into_par_iter().with_min_len(least).map_init(floats::probe, |(), i| f(i)).collect_into_vec(all);
-    #[cfg(not(feature = "parallel"))]
+    if range.len() > least {
+        range.into_par_iter().with_min_len(least).map_init(floats::probe, |(), i| f(i)).collect_into_vec(all);
+        return;
+    }
     all.extend(range.map(f));
 }
 

@@ -3,13 +3,15 @@
 use std::ops::Range;
 
 use numpy::ndarray::ArrayView2;
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyUntypedArray};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 use stackless_bvh::geom::{Mesh, Ray, Vector};
 
-use crate::errors::{index_message, of_mesh, of_ray, refused};
+use crate::batch::PIECE;
+use crate::errors::{failed, index_message, of_mesh, of_ray, refused};
+use crate::memory::room;
 use crate::space::Space;
+use crate::threads::Threads;
 
 /// Rays as four arrays: `origins` and `directions` of shape (n, 3), `tmin` and `tmax` of shape (n,).
 pub(crate) struct Rays<'py, S: Space> {
@@ -18,11 +20,13 @@ pub(crate) struct Rays<'py, S: Space> {
     tmin: PyReadonlyArray1<'py, S::Real>,
     tmax: PyReadonlyArray1<'py, S::Real>,
     count: usize,
+    places: Vec<Place<'py>>,
 }
 
 impl<'py, S: Space> Rays<'py, S> {
     /// The arrays, if they fit together.
-    pub(crate) fn new([origins, directions, tmin, tmax]: [&Bound<'py, PyAny>; 4]) -> PyResult<Self> {
+    pub(crate) fn new(arrays: [&Bound<'py, PyAny>; 4]) -> PyResult<Self> {
+        let [origins, directions, tmin, tmax] = arrays;
         let (origins, directions) = (points::<S>(origins, "origins")?, points::<S>(directions, "directions")?);
         let (tmin, tmax) = (numbers::<S>(tmin, "tmin")?, numbers::<S>(tmax, "tmax")?);
         let count = origins.as_array().nrows();
@@ -30,7 +34,8 @@ impl<'py, S: Space> Rays<'py, S> {
         if counts != [count; 3] {
             return Err(refused(format!("{count} origins, but directions, tmin and tmax have {counts:?} rows")));
         }
-        Ok(Self { origins, directions, tmin, tmax, count })
+        let names = ["origins", "directions", "tmin", "tmax"];
+        Ok(Self { origins, directions, tmin, tmax, count, places: places(count, arrays, names)? })
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -38,7 +43,8 @@ impl<'py, S: Space> Rays<'py, S> {
     }
 
     /// Some of the rays.
-    pub(crate) fn chunk(&self, rows: Range<usize>) -> PyResult<Vec<Ray<S::Vector>>> {
+    pub(crate) fn chunk(&self, threads: &Threads, rows: Range<usize>) -> PyResult<Vec<Ray<S::Vector>>> {
+        check_places(&self.places)?;
         let (origins, directions) = (self.origins.as_array(), self.directions.as_array());
         let (tmin, tmax) = (self.tmin.as_array(), self.tmax.as_array());
         let ray = |row: usize| {
@@ -46,14 +52,53 @@ impl<'py, S: Space> Rays<'py, S> {
             Ray::within(vector(&origins), vector(&directions), tmin[row], tmax[row])
         };
         // On all threads: while this one holds the interpreter's lock, nobody changes the arrays.
-        let all: Option<_> = rows.clone().into_par_iter().with_min_len(ROWS).map(|row| ray(row).ok()).collect();
+        let all = threads.map(rows.clone(), |row| ray(row).ok());
         // Of several errors the first.
         all.map_or_else(|| rows.map(|row| ray(row).map_err(|error| of_ray(error, row))).collect(), Ok)
     }
 }
 
-/// Rows that a thread takes at once.
-pub(crate) const ROWS: usize = 4096;
+/// Where the memory of an array is: `resize(refcheck=False)` moves it under all views, which nothing else tells.
+pub(crate) struct Place<'py> {
+    name: &'static str,
+    /// The array that has the memory, of which the other may be a view.
+    owner: Bound<'py, PyAny>,
+    /// Address and bytes.
+    found: (usize, usize),
+}
+
+impl Place<'_> {
+    fn of(owner: &Bound<'_, PyAny>) -> PyResult<(usize, usize)> {
+        let address = owner.getattr("__array_interface__")?.get_item("data")?.get_item(0)?.extract()?;
+        Ok((address, owner.getattr("nbytes")?.extract()?))
+    }
+}
+
+/// The places of arrays of so many rows, if there are more of them than are read at once: in between Python runs.
+pub(crate) fn places<'py, const N: usize>(
+    count: usize,
+    arrays: [&Bound<'py, PyAny>; N],
+    names: [&'static str; N],
+) -> PyResult<Vec<Place<'py>>> {
+    let place = |(array, name): (&Bound<'py, PyAny>, _)| {
+        let mut owner = array.clone();
+        while let Ok(base) = owner.getattr("base")?.cast_into::<PyUntypedArray>() {
+            owner = base.into_any();
+        }
+        Ok(Place { name, found: Place::of(&owner)?, owner })
+    };
+    if count <= PIECE { Ok(Vec::new()) } else { arrays.into_iter().zip(names).map(place).collect() }
+}
+
+/// Refuses arrays whose memory has moved.
+pub(crate) fn check_places(places: &[Place<'_>]) -> PyResult<()> {
+    for Place { name, owner, found } in places {
+        if Place::of(owner)? != *found {
+            return Err(failed(format!("{name}: resized while it was read, expected an array that stays as it is")));
+        }
+    }
+    Ok(())
+}
 
 /// An array of shape (n, 3) of the numbers of a scene.
 pub(crate) fn points<'py, S: Space>(array: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArray2<'py, S::Real>> {
@@ -109,7 +154,9 @@ pub(crate) fn mesh_of<S: Space>(vertices: Vec<S::Vector>, faces: Vec<[u32; 3]>) 
 pub(crate) fn vertices_of<S: Space>(array: &Bound<'_, PyAny>) -> PyResult<Vec<S::Vector>> {
     let array = points::<S>(array, "vertices")?;
     let array = array.as_array();
-    Ok((0..array.nrows()).map(|row| S::Vector::from_components(row_of(&array, row))).collect())
+    let mut vertices = room(array.nrows())?;
+    vertices.extend((0..array.nrows()).map(|row| S::Vector::from_components(row_of(&array, row))));
+    Ok(vertices)
 }
 
 /// Triples of indices below `vertices`.
@@ -121,9 +168,10 @@ fn faces_of<T: Copy + Into<i64>>(array: &ArrayView2<'_, T>, vertices: usize) -> 
         Ok(index) if (index as usize) < vertices => Ok(index),
         _ => Err(refused(index_message(face, index, corner, vertices))),
     };
-    let face = |face: usize| {
+    let mut faces = room(array.nrows())?;
+    for face in 0..array.nrows() {
         let [a, b, c] = row_of(array, face).map(Into::into);
-        Ok([corner(face, 0, a)?, corner(face, 1, b)?, corner(face, 2, c)?])
-    };
-    (0..array.nrows()).map(face).collect()
+        faces.push([corner(face, 0, a)?, corner(face, 1, b)?, corner(face, 2, c)?]);
+    }
+    Ok(faces)
 }

@@ -11,28 +11,36 @@ use std::time::Duration;
 use pyo3::prelude::*;
 
 use crate::errors::failed;
+use crate::memory;
+use crate::threads::{Threads, none_started};
 
 /// How many rows are answered between two looks at signals: some tenths of a second at the slowest.
-const PIECE: usize = 1 << 16;
+pub(crate) const PIECE: usize = 1 << 16;
+
+/// More than a row and its answer take while they are worked on. Answers without a limit ask for more by themselves.
+const ROW_BYTES: usize = 1 << 10;
 
 /// Reads some rows with the interpreter's lock, answers them without it, and keeps the answers with it; and so on to
-/// the last row. After each piece `progress(done, count)` is called.
+/// the last row. No more than `few` rows are left to this thread, and others to all. After each piece
+/// `progress(done, count)` is called, which may fork: so each piece finds its threads.
 ///
 /// # Errors
 /// Those of the three, of `progress`, and of signals: `KeyboardInterrupt`.
 pub(crate) fn in_pieces<I: Send, A: Send>(
     py: Python<'_>,
-    count: usize,
+    (count, few): (usize, usize),
     progress: Option<&Bound<'_, PyAny>>,
-    read: impl Fn(Range<usize>) -> PyResult<I>,
+    read: impl Fn(&Threads, Range<usize>) -> PyResult<I>,
     answer: impl Fn(I) -> PyResult<A> + Sync,
-    mut keep: impl FnMut(A),
+    mut keep: impl FnMut(&Threads, A) -> PyResult<()>,
 ) -> PyResult<()> {
     for first in (0..count).step_by(PIECE) {
         let rows = first..count.min(first + PIECE);
         let done = rows.end;
-        let input = read(rows)?;
-        keep(py.detach(|| answer(input))?);
+        let threads = if rows.len() <= few { Threads::one() } else { Threads::all(py)? };
+        memory::check(rows.len() * ROW_BYTES)?;
+        let input = read(&threads, rows)?;
+        keep(&threads, py.detach(|| threads.run(|| answer(input)))?)?;
         py.check_signals()?;
         if let Some(progress) = progress {
             progress.call1((done, count))?;
@@ -44,18 +52,22 @@ pub(crate) fn in_pieces<I: Send, A: Send>(
 /// Time between two looks at signals while another thread works.
 const TURN: Duration = Duration::from_millis(50);
 
-/// Does one long work on a thread of its own. It is given a function that is to be told of its steps, of which there are
-/// `count`; now and then `progress(done, count)` is called on this thread.
+/// More than a thread takes to begin, which ends if it lacks them.
+const THREAD_BYTES: usize = 4 << 20;
+
+/// Does one long work in the background, on all threads. It is given a function that is to be told of its steps, of which
+/// there are `count`; now and then `progress(done, count)` is called on this thread.
 ///
 /// # Errors
-/// Those of the work, of `progress`, and of signals. Then this returns at once, and the other thread unwinds when it next
-/// tells of a step.
+/// Those of the work, of `progress`, and of signals. Then the other thread unwinds when it next tells of a step, and this
+/// waits for that no longer than a turn.
 pub(crate) fn in_background<A: Send + 'static>(
     py: Python<'_>,
     count: usize,
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> PyResult<A> + Send + 'static,
 ) -> PyResult<A> {
+    let (threads, process) = (Threads::all(py)?, std::process::id());
     let done = Arc::new((AtomicUsize::new(0), AtomicBool::new(false)));
     let (sender, mut receiver) = channel();
     let told = Arc::clone(&done);
@@ -68,15 +80,18 @@ pub(crate) fn in_background<A: Send + 'static>(
             told.0.fetch_add(steps, Ordering::Relaxed);
         };
         // Nobody listens any more after an error.
-        drop(sender.send(work(&tell)));
+        drop(sender.send(threads.run(|| work(&tell))));
     };
-    thread::Builder::new().spawn(run).map_err(failed)?;
+    memory::check(THREAD_BYTES)?;
+    thread::Builder::new().spawn(run).map_err(none_started)?;
     let look = || {
         py.check_signals()?;
-        progress.map_or(Ok(()), |progress| {
+        if let Some(progress) = progress {
             let steps = done.0.load(Ordering::Relaxed);
-            progress.call1((steps.min(count), count)).map(drop)
-        })
+            progress.call1((steps.min(count), count))?;
+        }
+        // `progress` or the handler of a signal may have forked.
+        if std::process::id() == process { Ok(()) } else { Err(failed("only the process that began this can end it")) }
     };
     loop {
         let turn;
@@ -86,7 +101,13 @@ pub(crate) fn in_background<A: Send + 'static>(
             Err(RecvTimeoutError::Disconnected) => {
                 return Err(failed("the thread that worked on this has ended early"));
             }
-            Err(RecvTimeoutError::Timeout) => look().inspect_err(|_| done.1.store(true, Ordering::Relaxed))?,
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(error) = look() {
+                    done.1.store(true, Ordering::Relaxed);
+                    drop(py.detach(move || receiver.recv_timeout(TURN)));
+                    return Err(error);
+                }
+            }
         }
     }
 }

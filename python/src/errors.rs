@@ -1,7 +1,10 @@
 //! Errors of the library as exceptions: `ValueError` where an argument is at fault, `RuntimeError` for the rest.
 
+use std::io::{self, ErrorKind};
+use std::path::Path;
+
 use glam::DVec3;
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use stackless_bvh::bvh::RefitError;
 use stackless_bvh::geom::{BallError, MeshError, RayError};
@@ -14,6 +17,24 @@ pub(crate) fn refused(message: impl ToString) -> PyErr {
 /// What is no argument's fault.
 pub(crate) fn failed(message: impl ToString) -> PyErr {
     PyRuntimeError::new_err(message.to_string())
+}
+
+/// An error of the file system as `open` raises it: of the kind that its number says, with the path.
+pub(crate) fn of_file(error: io::Error, path: &Path) -> PyErr {
+    let number = error.raw_os_error().or(match error.kind() {
+        ErrorKind::PermissionDenied => Some(13),
+        ErrorKind::IsADirectory => Some(21),
+        _ => None,
+    });
+    match number {
+        Some(number) => {
+            let message = error.to_string();
+            // Python adds the number by itself.
+            let message = message.split(" (os error").next().unwrap_or_default().to_owned();
+            PyOSError::new_err((number, message, path.as_os_str().to_owned()))
+        }
+        None => PyOSError::new_err(format!("{}: {error}", path.display())),
+    }
 }
 
 /// A mesh that is none, with the row at fault.

@@ -5,18 +5,19 @@ use std::sync::Arc;
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder};
-use stackless_bvh::geom::{AffineError, AffineMap, EnvironmentError, Mesh, Ray, check_environment};
+use stackless_bvh::geom::{AffineError, AffineMap, Mesh, Ray};
 use stackless_bvh::trace::{Assembly, AssemblyError, Hit, Instance, InstanceHit, InstanceTracer, Object, RayQueries};
 use stackless_bvh::traverse::Method;
 
 use crate::arrays::{Rays, check_aligned};
 use crate::batch::{in_background, in_pieces};
 use crate::errors::{failed, refused};
-use crate::queries::{Found, HitArrays, room};
+use crate::memory::room;
+use crate::queries::{Found, HitArrays};
 use crate::scene::Scene;
-use crate::space::{Answers, Single, Space};
+use crate::space::{Single, Space};
+use crate::threads::{FEW, Threads};
 
 /// Scenes in single precision and groups of them, placed by affine maps.
 #[pyclass(frozen, module = "stackless_bvh._native")]
@@ -44,9 +45,6 @@ enum Source {
     Mesh(Arc<Mesh>),
     Group(Arc<Group>),
 }
-
-/// Rays that a thread takes at once.
-const CHUNK: usize = 256;
 
 #[pymethods]
 impl Instances {
@@ -102,26 +100,21 @@ impl Instances {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<(Bound<'py, PyArray2<i64>>, HitArrays<'py, f32>)> {
         let (rays, levels) = (Rays::<Single>::new(rays.each_ref())?, self.group.levels);
-        let (mut paths, mut found) = (room(rays.len() * levels)?, Found::with_room(rays.len())?);
-        let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.closest(ray)).map_err(failed);
-        in_pieces(
-            py,
-            rays.len(),
-            progress.as_ref(),
-            |rows| rays.chunk(rows),
-            answer,
-            |hits| {
-                for hit in hits {
-                    let end = paths.len() + levels;
-                    let hit = hit.map(|InstanceHit { path, prim, t, u, v }| {
-                        paths.extend(path.into_iter().map(i64::from));
-                        Hit { prim, t, u, v }
-                    });
-                    paths.resize(end, -1);
-                    found.push(hit.as_ref());
-                }
-            },
-        )?;
+        let (mut paths, mut found) = (room(rays.len().saturating_mul(levels))?, Found::with_room(rays.len())?);
+        let answer = |rays: Vec<Ray>| self.tracer.closest_parallel(&rays).map_err(failed);
+        let keep = |_: &Threads, hits: Vec<Option<InstanceHit>>| {
+            for hit in hits {
+                let end = paths.len() + levels;
+                let hit = hit.map(|InstanceHit { path, prim, t, u, v }| {
+                    paths.extend(path.into_iter().map(i64::from));
+                    Hit { prim, t, u, v }
+                });
+                paths.resize(end, -1);
+                found.push(hit.as_ref());
+            }
+            Ok(())
+        };
+        in_pieces(py, (rays.len(), FEW), progress.as_ref(), |threads, rows| rays.chunk(threads, rows), answer, keep)?;
         Ok((paths.into_pyarray(py).reshape([rays.len(), levels])?, found.into_arrays(py)?))
     }
 
@@ -133,8 +126,12 @@ impl Instances {
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let rays = Rays::<Single>::new(rays.each_ref())?;
         let mut found = room(rays.len())?;
-        let answer = |rays: Vec<Ray>| in_parallel(&rays, |ray| self.tracer.any(ray)).map_err(failed);
-        in_pieces(py, rays.len(), progress.as_ref(), |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
+        let answer = |rays: Vec<Ray>| self.tracer.any_parallel(&rays).map_err(failed);
+        let keep = |_: &Threads, hits: Vec<bool>| {
+            found.extend(hits);
+            Ok(())
+        };
+        in_pieces(py, (rays.len(), FEW), progress.as_ref(), |threads, rows| rays.chunk(threads, rows), answer, keep)?;
         Ok(found.into_pyarray(py))
     }
 }
@@ -196,16 +193,6 @@ fn source(scene: &Bound<'_, PyAny>, i: usize) -> PyResult<Source> {
     let scene: PyRef<'_, Scene> = scene.extract()?;
     let mesh = scene.single_mesh().ok_or_else(|| refused(format!("scenes[{i}]: float64, expected float32")))?;
     Ok(Source::Mesh(Arc::clone(mesh)))
-}
-
-/// Answers each, on all threads.
-fn in_parallel<A: Send>(rays: &[Ray], answer: impl Fn(&Ray) -> A + Sync) -> Answers<A> {
-    let of_chunk = |rays: &[Ray]| -> Result<Vec<A>, EnvironmentError> {
-        check_environment()?;
-        Ok(rays.iter().map(&answer).collect())
-    };
-    let chunks: Result<Vec<_>, _> = rays.par_chunks(CHUNK).map(of_chunk).collect();
-    Ok(chunks?.into_iter().flatten().collect())
 }
 
 fn of_affine(error: AffineError, i: usize) -> PyErr {

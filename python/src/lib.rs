@@ -9,9 +9,11 @@ mod closed;
 mod errors;
 mod file;
 mod instances;
+mod memory;
 mod queries;
 mod scene;
 mod space;
+mod threads;
 
 use pyo3::prelude::*;
 

@@ -3,17 +3,18 @@
 use std::ops::Range;
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
-use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
-use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector, check_environment};
+use stackless_bvh::geom::{Ball, Mesh, Ray, Vector, check_environment};
 use stackless_bvh::trace::{Hit, Near};
 
-use crate::arrays::{ROWS, Rays, numbers, points, row_of};
+use crate::arrays::{Rays, check_places, numbers, places, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, listed, of_ball, of_ray, refused};
-use crate::space::{Answers, Coordinate, Space};
+use crate::memory::{self, reserve, room};
+use crate::space::{Coordinate, Space};
+use crate::threads::{FEW, ROWS, Threads, of_chunks};
 
 /// What is called between pieces.
 pub(crate) type Progress<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
@@ -30,7 +31,11 @@ pub(crate) fn closest<'py, S: Space>(
 ) -> PyResult<HitArrays<'py, S::Real>> {
     let mut found = Found::with_room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.closest(&rays).map_err(failed);
-    in_pieces(py, rays.len(), progress, |rows| rays.chunk(rows), answer, |hits| found.extend(&hits))?;
+    let keep = |threads: &Threads, hits: Vec<_>| {
+        found.extend(threads, &hits);
+        Ok(())
+    };
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     found.into_arrays(py)
 }
 
@@ -43,7 +48,11 @@ pub(crate) fn any<'py, S: Space>(
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
     let mut found = room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.any(&rays).map_err(failed);
-    in_pieces(py, rays.len(), progress, |rows| rays.chunk(rows), answer, |hits| found.extend(hits))?;
+    let keep = |_: &Threads, hits| {
+        found.extend(hits);
+        Ok(())
+    };
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok(found.into_pyarray(py))
 }
 
@@ -56,16 +65,11 @@ pub(crate) fn crossings<'py, S: Space>(
 ) -> PyResult<Bound<'py, PyArray1<i64>>> {
     let mut found = room(rays.len())?;
     let answer = |rays: Vec<Ray<S::Vector>>| bvh.crossings(&rays).map_err(failed);
-    in_pieces(
-        py,
-        rays.len(),
-        progress,
-        |rows| rays.chunk(rows),
-        answer,
-        |counts| {
-            found.extend(counts.into_iter().map(i64::from));
-        },
-    )?;
+    let keep = |_: &Threads, counts: Vec<_>| {
+        found.extend(counts.into_iter().map(i64::from));
+        Ok(())
+    };
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok(found.into_pyarray(py))
 }
 
@@ -80,30 +84,45 @@ pub(crate) fn all<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<AllArrays<'py, S::Real>> {
-    let (mut offsets, mut found, mut places) = (vec![0], Found::with_room(0)?, Vec::new());
-    let answer = |rays: Vec<Ray<S::Vector>>| -> PyResult<_> {
-        let hits = bvh.all(&rays).map_err(failed)?;
-        let of_ray = |(ray, hits): (&Ray<_>, &Vec<Hit<_>>)| hits.iter().map(|hit| place(mesh, ray, hit)).collect();
-        let places: Vec<Vec<u8>> = rays.par_iter().zip(&hits).with_min_len(256).map(of_ray).collect();
-        Ok((hits, places))
-    };
-    in_pieces(
-        py,
-        rays.len(),
-        progress,
-        |rows| rays.chunk(rows),
-        answer,
-        |(hits, new)| {
-            for hits in hits {
-                for hit in &hits {
-                    found.push(Some(hit));
-                }
-                offsets.push(found.t.len() as i64);
+    let (mut offsets, mut found, mut places) = (room(rays.len() + 1)?, Found::with_room(0)?, Vec::new());
+    offsets.push(0);
+    let answer = |rays: Vec<Ray<S::Vector>>| of_chunks(&rays, FEW, |rays| all_of::<S>(mesh, bvh, rays));
+    let keep = |_: &Threads, chunks: Vec<AllOf<S::Real>>| {
+        let count = chunks.iter().map(|chunk| chunk.hits.len()).sum();
+        found.reserve(count)?;
+        reserve(&mut places, count)?;
+        for AllOf { ends, hits, places: new } in chunks {
+            offsets.extend(ends.into_iter().map(|end| (found.t.len() + end) as i64));
+            for hit in &hits {
+                found.push(Some(hit));
             }
-            places.extend(new.into_iter().flatten());
-        },
-    )?;
+            places.extend(new);
+        }
+        Ok(())
+    };
+    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok((offsets.into_pyarray(py), found.into_arrays(py)?, places.into_pyarray(py)))
+}
+
+/// All hits of some rays, where those of each ray end, and what the hits lie on.
+struct AllOf<R> {
+    ends: Vec<usize>,
+    hits: Vec<Hit<R>>,
+    places: Vec<u8>,
+}
+
+fn all_of<S: Space>(mesh: &Mesh<S::Vector>, bvh: &S, rays: &[Ray<S::Vector>]) -> PyResult<AllOf<S::Real>> {
+    check_environment().map_err(failed)?;
+    let mut all = AllOf { ends: room(rays.len())?, hits: Vec::new(), places: Vec::new() };
+    for ray in rays {
+        let hits = bvh.all(ray);
+        reserve(&mut all.hits, hits.len())?;
+        reserve(&mut all.places, hits.len())?;
+        all.places.extend(hits.iter().map(|hit| place(mesh, ray, hit)));
+        all.hits.extend(hits);
+        all.ends.push(all.hits.len());
+    }
+    Ok(all)
 }
 
 /// On which part of the triangle a hit is, exactly: weights that are far from 0 and 1 tell it, else rational arithmetic.
@@ -129,11 +148,13 @@ pub(crate) fn contains<'py, S: Space>(
     boundary: bool,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let array = points::<S>(array, "points")?;
-    let array = array.as_array();
+    let rows = points::<S>(array, "points")?;
+    let places = places(rows.as_array().nrows(), [array], ["points"])?;
+    let array = rows.as_array();
     let [lo, hi] = py.detach(|| bounds(mesh));
     // Points outside of the box need no ray.
-    let read = |rows: Range<usize>| {
+    let read = |_: &Threads, rows: Range<usize>| {
+        check_places(&places)?;
         let mut inside_box = Vec::new();
         let count = rows.len();
         for (i, row) in rows.enumerate() {
@@ -161,7 +182,11 @@ pub(crate) fn contains<'py, S: Space>(
         Ok(inside)
     };
     let mut found = room(array.nrows())?;
-    in_pieces(py, array.nrows(), progress, read, answer, |inside: Vec<bool>| found.extend(inside))?;
+    let keep = |_: &Threads, inside: Vec<bool>| {
+        found.extend(inside);
+        Ok(())
+    };
+    in_pieces(py, (array.nrows(), FEW), progress, read, answer, keep)?;
     Ok(found.into_pyarray(py))
 }
 
@@ -194,66 +219,75 @@ pub(crate) fn bounds<V: Vector<Real: Into<f64>>>(mesh: &Mesh<V>) -> [[f64; 3]; 2
 /// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
 pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
 
-/// The `k` nearest triangles of each point.
+/// The `k` nearest triangles of each point, of a mesh of so many `faces`.
 pub(crate) fn nearest<'py, S: Space>(
     py: Python<'py>,
-    bvh: &S,
-    [array, radius]: [&Bound<'py, PyAny>; 2],
+    (bvh, faces): (&S, usize),
+    arrays: [&Bound<'py, PyAny>; 2],
     k: usize,
     progress: Progress<'_, 'py>,
 ) -> PyResult<NearArrays<'py, S::Real>> {
-    let (array, radius) = (points::<S>(array, "points")?, numbers::<S>(radius, "radius")?);
+    let (array, radius) = (points::<S>(arrays[0], "points")?, numbers::<S>(arrays[1], "radius")?);
     let (array, radius) = (array.as_array(), radius.as_array());
     let count = array.nrows();
     if radius.len() != count {
         return Err(refused(format!("{count} points, but {} radii", radius.len())));
     }
+    let places = places(count, arrays, ["points", "radius"])?;
     let center = |row| S::Vector::from_components(row_of(&array, row));
     let ball = |row| Ball::new(center(row), radius[row]).map_err(|error| of_ball(error, row));
-    let (mut distance, mut primitive, mut point) = (Vec::new(), Vec::new(), Vec::new());
-    let answer = |balls: Vec<_>| nearest_of(bvh, &balls, k).map_err(failed);
-    in_pieces(
-        py,
-        count,
-        progress,
-        |rows| rows.map(ball).collect(),
-        answer,
-        |nears| {
-            for nears in nears {
-                let missing = k - nears.len();
-                for Near { prim, distance: d, point: p } in nears {
-                    distance.push(d);
-                    primitive.push(i64::from(prim));
-                    point.extend(p.components());
-                }
-                distance.resize(distance.len() + missing, <S::Real as Coordinate>::INFINITY);
-                primitive.resize(primitive.len() + missing, -1);
-                point.resize(point.len() + 3 * missing, S::Real::NAN);
+    let numbers = count.saturating_mul(k);
+    let (mut distance, mut primitive) = (room(numbers)?, room(numbers)?);
+    let mut point = room(numbers.saturating_mul(3))?;
+    let read = |_: &Threads, rows: Range<usize>| {
+        check_places(&places)?;
+        rows.map(ball).collect::<PyResult<Vec<_>>>()
+    };
+    // No point has more faces near it than there are.
+    let most = k.min(faces);
+    let few = if k == 1 { FEW } else { FEW_BALLS };
+    let answer = |balls: Vec<_>| nearest_of(bvh, &balls, most);
+    let keep = |_: &Threads, all: Vec<Vec<Near<S::Vector>>>| {
+        for nears in all {
+            let missing = k - nears.len();
+            for Near { prim, distance: d, point: p } in nears {
+                distance.push(d);
+                primitive.push(i64::from(prim));
+                point.extend(p.components());
             }
-        },
-    )?;
+            distance.resize(distance.len() + missing, <S::Real as Coordinate>::INFINITY);
+            primitive.resize(primitive.len() + missing, -1);
+            point.resize(point.len() + 3 * missing, S::Real::NAN);
+        }
+        Ok(())
+    };
+    in_pieces(py, (count, few), progress, read, answer, keep)?;
     let shape = [count, k];
     let [distance, point] = [distance, point].map(|numbers| numbers.into_pyarray(py));
-    Ok((distance.reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, point.reshape([count * k, 3])?))
+    Ok((distance.reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, point.reshape([numbers, 3])?))
 }
 
-fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> Answers<Vec<Near<S::Vector>>> {
+/// A search for several triangles takes longer than a ray.
+const FEW_BALLS: usize = 64;
+
+/// More than a triangle takes while it is among the nearest.
+const NEAR_BYTES: usize = 128;
+
+fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResult<Vec<Vec<Near<S::Vector>>>> {
     if k == 1 {
-        return Ok(bvh.nearest(balls)?.into_iter().map(|near| near.into_iter().collect()).collect());
+        let nears = bvh.nearest(balls).map_err(failed)?;
+        return Ok(nears.into_iter().map(|near| near.into_iter().collect()).collect());
     }
-    let of_chunk = |balls: &[Ball<S::Vector>]| -> Result<Vec<_>, EnvironmentError> {
-        check_environment()?;
-        Ok(balls.iter().map(|ball| bvh.nearest_k(ball, k)).collect())
-    };
-    let chunks: Result<Vec<_>, _> = balls.par_chunks(64).map(of_chunk).collect();
+    let chunks = of_chunks(balls, FEW_BALLS, |balls| {
+        check_environment().map_err(failed)?;
+        let mut all = room(balls.len())?;
+        for ball in balls {
+            memory::check(k.saturating_mul(NEAR_BYTES))?;
+            all.push(bvh.nearest_k(ball, k));
+        }
+        Ok(all)
+    });
     Ok(chunks?.into_iter().flatten().collect())
-}
-
-/// An empty vector that can grow so far. Where there is no memory for that, it is an exception, and no abort.
-pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
-    let mut numbers = Vec::new();
-    numbers.try_reserve_exact(count).map_err(|_| PyMemoryError::new_err(format!("no memory for {count} answers")))?;
-    Ok(numbers)
 }
 
 /// Arrays of hits that grow.
@@ -268,6 +302,13 @@ impl<R: Coordinate> Found<R> {
         Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(count)? })
     }
 
+    /// Makes room for so many more.
+    fn reserve(&mut self, count: usize) -> PyResult<()> {
+        reserve(&mut self.t, count)?;
+        reserve(&mut self.primitive, count)?;
+        reserve(&mut self.uv, count)
+    }
+
     pub(crate) fn push(&mut self, hit: Option<&Hit<R>>) {
         self.t.push(distance(hit));
         self.primitive.push(primitive(hit));
@@ -275,11 +316,19 @@ impl<R: Coordinate> Found<R> {
     }
 
     /// On all threads: a processor traces some million rays a second, and one thread would keep little more.
-    fn extend(&mut self, hits: &[Option<Hit<R>>]) {
+    fn extend(&mut self, threads: &Threads, hits: &[Option<Hit<R>>]) {
+        if hits.len() <= ROWS {
+            for hit in hits {
+                self.push(hit.as_ref());
+            }
+            return;
+        }
         let hits = || hits.par_iter().with_min_len(ROWS).map(Option::as_ref);
-        self.t.par_extend(hits().map(distance));
-        self.primitive.par_extend(hits().map(primitive));
-        self.uv.par_extend(hits().map(weights));
+        threads.run(|| {
+            self.t.par_extend(hits().map(distance));
+            self.primitive.par_extend(hits().map(primitive));
+            self.uv.par_extend(hits().map(weights));
+        });
     }
 
     pub(crate) fn into_arrays(self, py: Python<'_>) -> PyResult<HitArrays<'_, R>> {

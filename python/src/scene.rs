@@ -1,11 +1,11 @@
 //! A mesh with its hierarchy, as a Python object.
 
+use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
 use stackless_bvh::bvh::{Builder, Stored};
 use stackless_bvh::geom::Mesh;
 
@@ -13,7 +13,9 @@ use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
 use crate::batch::in_background;
 use crate::closed::Edges;
 use crate::errors::refused;
+use crate::memory::{self, room};
 use crate::space::{Double, Single, Space};
+use crate::threads::Threads;
 use crate::{file, queries};
 
 /// A mesh with its hierarchy.
@@ -23,16 +25,17 @@ pub(crate) struct Scene {
 }
 
 /// In single or in double precision.
+#[derive(Clone)]
 enum Either {
     Single(Box<Held<Single>>),
     Double(Box<Held<Double>>),
 }
 
-/// A mesh, its hierarchy, and what is known of its edges.
+/// A mesh, its hierarchy, and what is known of its edges. Copies share them until one is changed.
+#[derive(Clone)]
 struct Held<S: Space> {
-    /// Shared with what is made of it in the background.
     mesh: Arc<Mesh<S::Vector>>,
-    bvh: S,
+    bvh: Arc<S>,
     edges: OnceLock<Edges>,
 }
 
@@ -78,24 +81,41 @@ impl Scene {
     }
 
     #[staticmethod]
-    fn from_bytes(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
-        let held = if file::real_bytes(bytes)? == 4 {
-            Either::Single(Box::new(py.detach(|| Held::from_bytes(bytes))?))
-        } else {
-            Either::Double(Box::new(py.detach(|| Held::from_bytes(bytes))?))
-        };
-        Ok(Self { held })
+    fn from_bytes(py: Python<'_>, bytes: PyReadonlyArray1<'_, u8>) -> PyResult<Self> {
+        let (bytes, threads) = (bytes.as_slice()?, Threads::all(py)?);
+        Ok(Self { held: py.detach(|| threads.run(|| Either::from_bytes(bytes)))? })
     }
 
-    fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        let bytes = either!(self, held, S => py.detach(|| file::to_bytes::<S>(&held.mesh, &held.bvh)));
-        PyBytes::new(py, &bytes)
+    fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<u8>>> {
+        Ok(py.detach(|| self.held.to_bytes())?.into_pyarray(py))
     }
 
-    fn refit(&mut self, py: Python<'_>, vertices: &Bound<'_, PyAny>, optimize: bool) -> PyResult<()> {
+    #[staticmethod]
+    fn load(py: Python<'_>, path: PathBuf, progress: Option<Bound<'_, PyAny>>) -> PyResult<Self> {
+        let work = move |tell: &(dyn Fn(usize) + Sync)| Either::from_bytes(&file::read(&path, tell)?);
+        Ok(Self { held: in_background(py, file::STEPS, progress.as_ref(), work)? })
+    }
+
+    fn save(&self, py: Python<'_>, path: PathBuf, progress: Option<Bound<'_, PyAny>>) -> PyResult<()> {
+        let held = self.held.clone();
+        let work = move |tell: &(dyn Fn(usize) + Sync)| file::write(&path, &held.to_bytes()?, tell);
+        in_background(py, file::STEPS, progress.as_ref(), work)
+    }
+
+    fn copy(&self) -> Self {
+        Self { held: self.held.clone() }
+    }
+
+    fn refit(
+        &mut self,
+        py: Python<'_>,
+        vertices: &Bound<'_, PyAny>,
+        optimize: bool,
+        progress: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
         match &mut self.held {
-            Either::Single(held) => held.refit(py, vertices, optimize),
-            Either::Double(held) => held.refit(py, vertices, optimize),
+            Either::Single(held) => held.refit(py, vertices, optimize, progress.as_ref()),
+            Either::Double(held) => held.refit(py, vertices, optimize, progress.as_ref()),
         }
     }
 
@@ -116,7 +136,8 @@ impl Scene {
     #[getter]
     fn vertices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            let numbers: Vec<_> = held.mesh.vertices().iter().flat_map(|&v| <[_; 3]>::from(v)).collect();
+            let mut numbers = room(3 * held.mesh.vertices().len())?;
+            numbers.extend(held.mesh.vertices().iter().flat_map(|&v| <[_; 3]>::from(v)));
             let numbers: Bound<'py, PyArray1<<S as Space>::Real>> = numbers.into_pyarray(py);
             object(py, numbers.reshape([held.mesh.vertices().len(), 3])?)
         })
@@ -125,22 +146,23 @@ impl Scene {
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<i64>>> {
         let faces = self.triangles();
-        let indices: Vec<_> = faces.iter().flatten().map(|&index| i64::from(index)).collect();
+        let mut indices = room(3 * faces.len())?;
+        indices.extend(faces.iter().flatten().map(|&index| i64::from(index)));
         indices.into_pyarray(py).reshape([faces.len(), 3])
     }
 
     /// The numbers of open edges and of unpaired ones, and what is wrong with the first open one.
-    fn edges(&self, py: Python<'_>) -> (usize, usize, Option<String>) {
+    fn edges(&self, py: Python<'_>) -> PyResult<(usize, usize, Option<String>)> {
         let edges = match &self.held {
-            Either::Single(held) => py.detach(|| held.edges()),
-            Either::Double(held) => py.detach(|| held.edges()),
+            Either::Single(held) => held.edges(py)?,
+            Either::Double(held) => held.edges(py)?,
         };
         let wrong = edges.first.map(|edge| {
             let ([a, b], count) = (edge.ends, edge.faces);
             let faces = if count == 1 { "face" } else { "faces" };
             format!("the edge ({a}, {b}) of faces[{}] is in {count} {faces}, expected an even number", edge.face)
         });
-        (edges.open, edges.unpaired, wrong)
+        Ok((edges.open, edges.unpaired, wrong))
     }
 
     fn closest<'py>(
@@ -209,7 +231,7 @@ impl Scene {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            object(py, queries::nearest::<S>(py, &held.bvh, [points, radius], k, progress.as_ref())?)
+            object(py, queries::nearest::<S>(py, (&held.bvh, held.mesh.triangles().len()), [points, radius], k, progress.as_ref())?)
         })
     }
 }
@@ -231,7 +253,28 @@ impl Scene {
     }
 }
 
+impl Either {
+    fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
+        Ok(if file::real_bytes(bytes)? == 4 {
+            Self::Single(Box::new(Held::from_bytes(bytes)?))
+        } else {
+            Self::Double(Box::new(Held::from_bytes(bytes)?))
+        })
+    }
+
+    fn to_bytes(&self) -> PyResult<Vec<u8>> {
+        match self {
+            Self::Single(held) => file::to_bytes(&held.mesh, &*held.bvh),
+            Self::Double(held) => file::to_bytes(&held.mesh, &*held.bvh),
+        }
+    }
+}
+
 impl<S: Space<Vector: Stored> + 'static> Held<S> {
+    fn new(mesh: Mesh<S::Vector>, bvh: S) -> Self {
+        Self { mesh: Arc::new(mesh), bvh: Arc::new(bvh), edges: OnceLock::new() }
+    }
+
     fn build(
         py: Python<'_>,
         mesh: Mesh<S::Vector>,
@@ -241,31 +284,63 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         let count = mesh.triangles().len();
         in_background(py, count, progress, move |tell| {
             let bvh = S::build(&mesh, builder, tell)?;
-            Ok(Self { mesh: Arc::new(mesh), bvh, edges: OnceLock::new() })
+            Ok(Self::new(mesh, bvh))
         })
     }
 
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
         let (mesh, bvh) = file::from_bytes(bytes)?;
-        Ok(Self { mesh: Arc::new(mesh), bvh, edges: OnceLock::new() })
+        Ok(Self::new(mesh, bvh))
     }
 
-    /// Nothing has changed after an error, but for one of optimizing.
-    fn refit(&mut self, py: Python<'_>, vertices: &Bound<'_, PyAny>, optimize: bool) -> PyResult<()> {
+    /// In three steps, each done or not: after an error or Ctrl-C the vertices are all old or all new.
+    fn refit(
+        &mut self,
+        py: Python<'_>,
+        vertices: &Bound<'_, PyAny>,
+        optimize: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<()> {
         let (vertices, count) = (vertices_of::<S>(vertices)?, self.mesh.vertices().len());
         if vertices.len() != count {
             return Err(refused(format!("vertices: {} rows, expected {count} as the scene has", vertices.len())));
         }
-        py.detach(|| {
-            let mesh = mesh_of::<S>(vertices, self.mesh.triangles().to_vec())?;
-            self.bvh.refit(&mesh)?;
-            (self.mesh, self.edges) = (Arc::new(mesh), OnceLock::new());
-            if optimize { self.bvh.optimize() } else { Ok(()) }
-        })
+        let (threads, steps) = (Threads::all(py)?, if optimize { 3 } else { 2 });
+        let look = |done: usize| {
+            py.check_signals()?;
+            progress.map_or(Ok(()), |progress| progress.call1((done, steps)).map(drop))
+        };
+        let mut triangles = room(self.mesh.triangles().len())?;
+        triangles.extend_from_slice(self.mesh.triangles());
+        let mesh = py.detach(|| threads.run(|| mesh_of::<S>(vertices, triangles)))?;
+        look(1)?;
+        if Arc::get_mut(&mut self.bvh).is_none() {
+            // Others share the hierarchy, so that it is copied.
+            memory::check(self.bvh.bytes())?;
+        }
+        py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).refit(&mesh)))?;
+        (self.mesh, self.edges) = (Arc::new(mesh), OnceLock::new());
+        look(2)?;
+        if optimize {
+            // More than was seen to be in use.
+            memory::check_shared(self.bvh.bytes() + 128 * self.mesh.triangles().len(), threads.count())?;
+            py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).optimize()))?;
+            look(3)?;
+        }
+        Ok(())
     }
 
-    fn edges(&self) -> &Edges {
-        self.edges.get_or_init(|| Edges::of(&self.mesh))
+    /// Two threads that come at once both look, and find the same. Neither waits for the other, which a child that was
+    /// forked meanwhile does not have.
+    fn edges(&self, py: Python<'_>) -> PyResult<&Edges> {
+        if let Some(edges) = self.edges.get() {
+            return Ok(edges);
+        }
+        let threads = Threads::all(py)?;
+        // More than was seen to be in use.
+        memory::check(48 * self.mesh.vertices().len() + 128 * self.mesh.triangles().len())?;
+        let edges = py.detach(|| threads.run(|| Edges::of(&self.mesh)));
+        Ok(self.edges.get_or_init(|| edges))
     }
 }
 

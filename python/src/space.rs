@@ -10,6 +10,7 @@ use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
 use stackless_bvh::trace::{Hit, MeshQueries, Near, RayQueries, Tracer};
 
 use crate::errors::{failed, of_refit, refused};
+use crate::memory;
 
 /// A coordinate that arrays hold.
 pub(crate) trait Coordinate: Element + Copy + Into<f64> {
@@ -43,7 +44,7 @@ impl Coordinate for f64 {
 pub(crate) type Answers<A> = Result<Vec<A>, EnvironmentError>;
 
 /// A hierarchy over meshes of one precision.
-pub(crate) trait Space: Sized + Send + Sync {
+pub(crate) trait Space: Sized + Clone + Send + Sync {
     /// A position or direction.
     type Vector: Vector<Real = Self::Real>;
     /// A number of it.
@@ -55,13 +56,15 @@ pub(crate) trait Space: Sized + Send + Sync {
     fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     fn optimize(&mut self) -> PyResult<()>;
+    /// Memory, in bytes, and more than [`to_bytes`](Self::to_bytes) gives.
+    fn bytes(&self) -> usize;
     fn to_bytes(&self) -> Vec<u8>;
     /// The hierarchy that bytes are, if it is one over this mesh.
     fn from_bytes(bytes: &[u8], mesh: &Mesh<Self::Vector>) -> PyResult<Self>;
 
     fn closest(&self, rays: &[Ray<Self::Vector>]) -> Answers<Option<Hit<Self::Real>>>;
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
-    fn all(&self, rays: &[Ray<Self::Vector>]) -> Answers<Vec<Hit<Self::Real>>>;
+    fn all(&self, ray: &Ray<Self::Vector>) -> Vec<Hit<Self::Real>>;
     fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
     fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
@@ -82,6 +85,10 @@ where
     const DTYPE: &'static str = if V::REAL_BYTES == 4 { "float32" } else { "float64" };
 
     fn build(mesh: &Mesh<V>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
+        // More than was seen to be in use for a triangle (175 and 233 bytes), and with spatial splits (326 and 397).
+        let bytes = mesh.triangles().len() * (160 + 16 * size_of::<V::Real>());
+        let bytes = if builder == Builder::Spatial { bytes * 8 / 5 } else { bytes };
+        memory::check_shared(bytes, rayon::current_num_threads())?;
         let options = BuildOptions { builder, ..BuildOptions::default() };
         options.build_wide_watched(mesh, tell).map_err(of_wide)
     }
@@ -92,6 +99,10 @@ where
 
     fn optimize(&mut self) -> PyResult<()> {
         self.optimize().map_err(of_wide)
+    }
+
+    fn bytes(&self) -> usize {
+        self.bytes()
     }
 
     fn to_bytes(&self) -> Vec<u8> {
@@ -112,8 +123,8 @@ where
         Tracer::new(self).any_parallel(rays)
     }
 
-    fn all(&self, rays: &[Ray<V>]) -> Answers<Vec<Hit<V::Real>>> {
-        Tracer::new(self).all_parallel(rays)
+    fn all(&self, ray: &Ray<V>) -> Vec<Hit<V::Real>> {
+        Tracer::new(self).all(ray).collect()
     }
 
     fn crossings(&self, rays: &[Ray<V>]) -> Answers<u32> {

@@ -13,7 +13,7 @@ INDICES = ("int32", "int64", "uint32")
 
 def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
     """Vertices and faces as arrays whose values are still to be checked."""
-    points = vertices if isinstance(vertices, np.ndarray) else listed(vertices, "vertices", np.float64)
+    points = array_of(vertices, "vertices", np.float64)
     if points.dtype not in FLOATS:
         raise TypeError(f"vertices: dtype {points.dtype}, expected float32 or float64")
     check_shape(points, "vertices", 3, "n")
@@ -22,7 +22,7 @@ def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], ND
 
 def face_array(faces: ArrayLike) -> NDArray[Any]:
     """Indices of a kind that is read as it is; others are converted if nothing is lost."""
-    array = faces if isinstance(faces, np.ndarray) else listed(faces, "faces", None)
+    array = array_of(faces, "faces", None)
     if array.dtype.kind not in "iu":
         raise TypeError(f"faces: dtype {array.dtype}, expected integers")
     check_shape(array, "faces", 3, "m")
@@ -40,7 +40,8 @@ def rows(array: ArrayLike, name: str, dtype: str, width: int = 3) -> NDArray[Any
     if array.shape == (width,):
         array = array[np.newaxis]
     check_shape(array, name, width, "n")
-    return array
+    # A view, whose shape stays as it is whatever happens to that of the array.
+    return array.view(np.ndarray)
 
 
 def rays(origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike, dtype: str) -> list[NDArray[Any]]:
@@ -64,8 +65,7 @@ def per_row(array: ArrayLike, name: str, dtype: str, count: int) -> NDArray[Any]
 
 def numbers(array: ArrayLike, name: str, dtype: str) -> NDArray[Any]:
     """An array of the dtype of a scene. Nothing is rounded, but for lists and single numbers, which have no dtype."""
-    if not isinstance(array, np.ndarray):
-        return listed(array, name, dtype)
+    array = array_of(array, name, dtype)
     if array.dtype == dtype:
         return aligned(array)
     if array.dtype == "float32":
@@ -81,12 +81,27 @@ def aligned(array: NDArray[Any]) -> NDArray[Any]:
     return array if array.flags.aligned else array.copy()
 
 
-def listed(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:
-    """Lists and numbers as an array."""
+def array_of(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:
+    """An array as it is; lists and numbers as one of a dtype."""
+    if isinstance(values, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in values):
+        values = np.ma.asarray(values, dtype=dtype)
+    if isinstance(values, np.ndarray):
+        return unmasked(values, name)
     try:
         return np.asarray(values, dtype=dtype)
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{name}: expected an array of numbers, not this {type(values).__name__}") from None
+
+
+def unmasked(array: NDArray[Any], name: str) -> NDArray[Any]:
+    """The array without its mask, which must not mask anything: what is masked would be read as other numbers are."""
+    if not isinstance(array, np.ma.MaskedArray):
+        return array
+    masked = np.argwhere(np.ma.getmaskarray(array))
+    if len(masked):
+        row = f"[{masked[0][0]}]" if array.ndim else ""
+        raise ValueError(f"{name}{row}: masked, expected numbers; leave masked rows out, or pass {name}.filled(value)")
+    return array.data
 
 
 def check_shape(array: NDArray[Any], name: str, width: int, count: str) -> None:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import listed, numbers, rays
+from ._arrays import array_of, numbers, rays
 from ._native import Instances as NativeInstances
 from ._results import Hits
 from ._scene import Progress, Scene
@@ -51,6 +52,17 @@ class Instances:
     ValueError
         A scene is float64, instances are nested too deeply, shapes do not fit, there is no such scene, a map has no
         inverse, or an image leaves the range of float32; the message names the row.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from stackless_bvh import Instances, Scene
+    >>> triangle = Scene(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), [[0, 1, 2]])
+    >>> maps = np.tile(np.eye(4, dtype=np.float32), (2, 1, 1))
+    >>> maps[1, :3, 3] = [5, 0, -1]
+    >>> hits = Instances([triangle], [0, 0], maps).closest([[0.25, 0.25, 2], [5.25, 0.25, 2]], [0, 0, -1])
+    >>> hits.instance, hits.t
+    (array([0, 1]), array([2., 3.], dtype=float32))
     """
 
     __slots__ = ("_native",)
@@ -66,7 +78,7 @@ class Instances:
         for i, scene in enumerate(scenes):
             if not isinstance(scene, (Scene, Instances)):
                 raise TypeError(f"scenes[{i}]: {type(scene).__name__}, expected a Scene or Instances")
-        indices = objects if isinstance(objects, np.ndarray) else listed(objects, "objects", None)
+        indices = array_of(objects, "objects", None)
         if indices.dtype.kind not in "iu":
             raise TypeError(f"objects: dtype {indices.dtype}, expected integers")
         if indices.ndim != 1:
@@ -87,6 +99,13 @@ class Instances:
 
     def __len__(self) -> int:
         return len(self._native)
+
+    def __copy__(self) -> Instances:
+        # Nothing changes instances.
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Instances:
+        return self
 
     def closest(
         self,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import operator
 import os
-import tempfile
+import sys
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -41,6 +41,8 @@ class Scene:
         An array has another dtype.
     ValueError
         An array has another shape, a coordinate is not finite, or an index is out of range; the message names the row.
+    MemoryError
+        There is no memory to build it.
     RuntimeError
         This thread does not compute as IEEE 754 demands, as after loading a library compiled with ``-ffast-math``.
 
@@ -48,18 +50,51 @@ class Scene:
     many rays or points: they look for Ctrl-C, and call ``progress(done, count)`` if it is given, after every 65,536 of
     them. Float32 arrays are accepted by float64 scenes, which is exact. Float64 arrays are refused by float32 scenes:
     rounding is the caller's decision.
+
+    A scene can be pickled, and so be sent to other processes: to those of `multiprocessing`, whether they are forked or
+    spawned, and to workers of Dask. Copies share their memory until one is refitted.
     """
 
     __slots__ = ("_native",)
 
     def __init__(
-        self, vertices: ArrayLike, faces: ArrayLike, build: str = "standard", progress: Progress | None = None
+        self,
+        vertices: ArrayLike,
+        faces: ArrayLike | None = None,
+        build: str = "standard",
+        progress: Progress | None = None,
     ) -> None:
+        if isinstance(vertices, (str, bytes, os.PathLike)):
+            path = os.fspath(vertices)
+            raise TypeError(
+                f"vertices: the path {path!r}, expected an array; read a mesh by mesh = trimesh.load_mesh({path!r}), "
+                "and pass mesh.vertices and mesh.faces; what Scene.save has written is read by Scene.load"
+            )
+        if faces is None:
+            if hasattr(vertices, "vertices") and hasattr(vertices, "faces"):
+                kind = type(vertices).__name__
+                raise TypeError(f"vertices: a {kind}, expected an array; pass its .vertices and its .faces")
+            raise TypeError("faces: missing, expected integers of shape (m, 3)")
         points, indices = mesh_arrays(vertices, faces)
         self._native = _native.Scene(points, indices, str(points.dtype), build, progress)
 
     def __repr__(self) -> str:
         return f"<stackless_bvh.Scene: {len(self.faces)} faces, {self.dtype}>"
+
+    def __copy__(self) -> Scene:
+        """A scene of its own: what one of both refits does not change the other."""
+        copy = self.__class__.__new__(self.__class__)
+        copy._native = self._native.copy()
+        return copy
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Scene:
+        return self.__copy__()
+
+    def __getstate__(self) -> tuple[NDArray[np.uint8]]:
+        return (self._native.to_bytes(),)
+
+    def __setstate__(self, state: tuple[NDArray[np.uint8]]) -> None:
+        self._native = _native.Scene.from_bytes(*state)
 
     @property
     def dtype(self) -> np.dtype[Any]:
@@ -121,6 +156,13 @@ class Scene:
             An array has another dtype than the scene.
         ValueError
             Shapes do not fit, a number is not finite, a direction is zero, or ``0 <= tmin <= tmax`` does not hold.
+
+        Examples
+        --------
+        >>> scene = Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> hits = scene.closest([[0.25, 0.5, 2], [5, 5, 2]], [0, 0, -1])
+        >>> hits.t, hits.primitive, hits.uv[0]
+        (array([ 2., inf]), array([ 0, -1]), array([0.25, 0.5 ]))
         """
         return Hits(*self._native.closest(self._rays(origins, directions, tmin, tmax), progress))
 
@@ -132,7 +174,14 @@ class Scene:
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
-        """Whether each ray hits anything: shape (n,). Parameters and errors are those of `closest`."""
+        """Whether each ray hits anything: shape (n,). Parameters and errors are those of `closest`.
+
+        Examples
+        --------
+        >>> scene = Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> scene.any([[0.25, 0.25, 2], [5, 5, 2]], [0, 0, -1], tmax=3)
+        array([ True, False])
+        """
         return self._native.any(self._rays(origins, directions, tmin, tmax), progress)
 
     def all_hits(
@@ -146,6 +195,14 @@ class Scene:
         """All hits of each ray: every face that it meets, once. Parameters and errors are those of `closest`.
 
         A ray through an edge meets the faces on both sides of it; `AllHits.place` tells such hits from others.
+
+        Examples
+        --------
+        >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> scene = Scene(vertices, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> hits = scene.all_hits([[0.25, 0.25, -1], [9, 9, 9]], [0, 0, 1])
+        >>> hits.rays, hits.primitives, hits.t, hits.place
+        (array([0, 0]), array([0, 3]), array([1. , 1.5]), array([0, 0], dtype=uint8))
         """
         offsets, (t, primitives, uv), place = self._native.all(self._rays(origins, directions, tmin, tmax), progress)
         return AllHits(offsets, primitives, t, uv, place)
@@ -162,6 +219,13 @@ class Scene:
 
         A crossing at an edge or a vertex of a closed mesh counts once, and touching it there counts an even number of
         times (the half-open rule). From inside of a closed mesh the number is odd, from outside it is even.
+
+        Examples
+        --------
+        >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> scene = Scene(vertices, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> scene.count_crossings([[0.1, 0.1, 0.1], [-1, -1, -1]], [1, 1, 1])
+        array([1, 2])
         """
         return self._native.crossings(self._rays(origins, directions, tmin, tmax), progress)
 
@@ -184,6 +248,13 @@ class Scene:
             The array has another dtype than the scene.
         ValueError
             The mesh is not closed (the message names an edge), the shape does not fit, or a number is not finite.
+
+        Examples
+        --------
+        >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> scene = Scene(vertices, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> scene.contains([[0.1, 0.1, 0.1], [1, 1, 1], [0, 0, 0]])
+        array([ True, False,  True])
         """
         points = rows(points, "points", self._native.dtype)
         count, _, wrong = self._native.edges()
@@ -206,30 +277,46 @@ class Scene:
         radius
             A number or shape (n,), included.
         k
-            How many, at least 1.
+            How many, at least 1. Where there are fewer faces, their rows are filled as those beyond the radius.
 
         Raises
         ------
         TypeError
-            An array has another dtype than the scene.
+            An array has another dtype than the scene, or `k` is no integer.
         ValueError
             The shape does not fit, a number is not finite, a radius is negative, or `k` is less than 1.
+        MemoryError
+            There is no memory for arrays of `k` rows for each point.
+
+        Examples
+        --------
+        >>> scene = Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> near = scene.nearest([[0.25, 0.5, 3], [0, -2, 0]])
+        >>> near.distance, near.point[0]
+        (array([3., 2.]), array([0.25, 0.5 , 0.  ]))
         """
+        try:
+            k = operator.index(k)
+        except TypeError:
+            raise TypeError(f"k: {k!r}, expected an integer") from None
         if k < 1:
             raise ValueError(f"k: {k}, expected at least 1")
         points = rows(points, "points", self._native.dtype)
         radii = per_row(radius, "radius", self._native.dtype, len(points))
-        distance, primitive, point = self._native.nearest(points, radii, int(k), progress)
+        distance, primitive, point = self._native.nearest(points, radii, min(k, sys.maxsize), progress)
         if k == 1:
             return Near(distance[:, 0], primitive[:, 0], point)
         return Near(distance, primitive, point.reshape(-1, k, 3))
 
-    def refit(self, vertices: ArrayLike, optimize: bool = False) -> None:
+    def refit(self, vertices: ArrayLike, optimize: bool = False, progress: Progress | None = None) -> None:
         """Moves the vertices, of which there must be as many as before. It takes a twentieth of the time of a build.
 
         Queries stay exact, and get slower the more the faces move relative to each other. With `optimize` parts of the
         hierarchy are then moved to better places, which takes a quarter of the time of a build. While another thread
         asks the scene, this fails with a RuntimeError.
+
+        It looks for Ctrl-C, and calls ``progress(done, count)``, after each step: the numbers are checked, the vertices
+        are moved, the hierarchy is optimized. After Ctrl-C the vertices are all the old ones or all the new ones.
 
         Raises
         ------
@@ -237,32 +324,49 @@ class Scene:
             The array has another dtype than the scene.
         ValueError
             The shape does not fit, or a coordinate is not finite. Then nothing has changed.
-        """
-        self._native.refit(rows(vertices, "vertices", self._native.dtype), optimize)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes mesh and hierarchy to a file, whole or not at all."""
-        path = Path(path)
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=path.name, suffix=".part")
-        try:
-            with open(handle, "wb") as file:
-                file.write(self._native.to_bytes())
-            os.replace(temporary, path)
-        except BaseException:
-            os.unlink(temporary)
-            raise
+        Examples
+        --------
+        >>> scene = Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> scene.refit(scene.vertices + [0, 0, 5])
+        >>> scene.closest([0.25, 0.25, 9], [0, 0, -1]).t
+        array([4.])
+        """
+        self._native.refit(rows(vertices, "vertices", self._native.dtype), optimize, progress)
+
+    def save(self, path: str | os.PathLike[str], progress: Progress | None = None) -> None:
+        """Writes mesh and hierarchy to a file, whole or not at all, also after Ctrl-C.
+
+        A file that is there keeps its permissions, and is not replaced if it is read-only. A link is followed.
+        ``progress(done, count)`` is called now and then, with per cent of the file.
+
+        Raises
+        ------
+        OSError
+            The file cannot be written, as `open` says it.
+
+        Examples
+        --------
+        >>> scene = Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+        >>> scene.save("triangle.scene")
+        >>> Scene.load("triangle.scene").faces
+        array([[0, 1, 2]])
+        """
+        self._native.save(os.fsdecode(path), progress)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Scene:
-        """The scene that `save` has written.
+    def load(cls, path: str | os.PathLike[str], progress: Progress | None = None) -> Scene:
+        """The scene that `save` has written. Ctrl-C and `progress` are as for `save`.
 
         Raises
         ------
         ValueError
             The file is damaged, or none of these. Everything is checked: a file cannot make answers wrong.
+        OSError
+            The file cannot be read, as `open` says it.
         """
         scene = cls.__new__(cls)
-        scene._native = _native.Scene.from_bytes(Path(path).read_bytes())
+        scene._native = _native.Scene.load(os.fsdecode(path), progress)
         return scene
 
     def _rays(self, origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike) -> list[NDArray[Any]]:

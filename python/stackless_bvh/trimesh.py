@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import array_of
 from ._results import AllHits
 from ._scene import Scene
 
@@ -63,7 +64,6 @@ class RayMeshIntersector:
         multiple_hits: bool = True,
         max_hits: int | None = None,
         return_locations: bool = False,
-        **kwargs: Any,
     ) -> tuple[_Indices, _Indices] | tuple[_Indices, _Indices, NDArray[np.float64]]:
         """The faces that rays hit, in the order of rays and then of distance.
 
@@ -106,7 +106,6 @@ class RayMeshIntersector:
         ray_directions: ArrayLike,
         multiple_hits: bool = True,
         max_hits: int | None = None,
-        **kwargs: Any,
     ) -> tuple[NDArray[np.float64], _Indices, _Indices]:
         """Where rays hit the mesh, each location of a ray once: `(locations, index_ray, index_tri)`.
 
@@ -115,7 +114,7 @@ class RayMeshIntersector:
         index_tri, index_ray, locations = self._hits(ray_origins, ray_directions, multiple_hits, max_hits, True)
         return locations, index_ray, index_tri
 
-    def intersects_first(self, ray_origins: ArrayLike, ray_directions: ArrayLike, **kwargs: Any) -> _Indices:
+    def intersects_first(self, ray_origins: ArrayLike, ray_directions: ArrayLike) -> _Indices:
         """The first face that each ray hits, of equally near ones the least; -1 for a miss: shape (n,)."""
         origins, directions, rows = _rays(ray_origins, ray_directions)
         found = np.full(len(origins), -1, dtype=np.int64)
@@ -123,7 +122,7 @@ class RayMeshIntersector:
             found[rows] = scene.closest(origins[rows], directions[rows]).primitive
         return found
 
-    def intersects_any(self, ray_origins: ArrayLike, ray_directions: ArrayLike, **kwargs: Any) -> NDArray[np.bool_]:
+    def intersects_any(self, ray_origins: ArrayLike, ray_directions: ArrayLike) -> NDArray[np.bool_]:
         """Whether each ray hits the mesh: shape (n,)."""
         origins, directions, rows = _rays(ray_origins, ray_directions)
         found = np.zeros(len(origins), dtype=bool)
@@ -137,7 +136,7 @@ class RayMeshIntersector:
         It is exact if every edge is in an even number of faces. Otherwise there is no inside: the answer is what
         trimesh makes of the hits of two rays, and a warning says so.
         """
-        array = np.asarray(points, dtype=np.float64)
+        array = _floats(points, "points")
         if array.ndim != 2 or array.shape[1] != 3:
             raise ValueError(f"points: shape {array.shape}, expected (n, 3)")
         scene = self.scene
@@ -185,12 +184,16 @@ class RayMeshIntersector:
 
 def _rays(origins: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], _Indices]:
     """Both as arrays, and the rows that have a direction."""
-    starts, ways = np.asarray(origins, dtype=np.float64), np.asarray(directions, dtype=np.float64)
+    starts, ways = _floats(origins, "ray_origins"), _floats(directions, "ray_directions")
     if starts.shape != ways.shape:
         raise ValueError(f"ray_origins and ray_directions: shapes {starts.shape} and {ways.shape}, expected the same")
     if starts.ndim != 2 or starts.shape[1] != 3:
         raise ValueError(f"ray_origins: shape {starts.shape}, expected (n, 3)")
     return starts, ways, np.flatnonzero(ways.any(axis=1))
+
+
+def _floats(array: ArrayLike, name: str) -> NDArray[np.float64]:
+    return np.asarray(array_of(array, name, np.float64), dtype=np.float64)
 
 
 def _kept(hits: AllHits, each_location_once: bool, most: int | None) -> NDArray[np.bool_]:

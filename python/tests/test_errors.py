@@ -1,5 +1,8 @@
 """What bad arrays get: one line that names the argument, and the row where there is one."""
 
+from pathlib import Path
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from conftest import CUBE, CUBE_FACES
@@ -28,7 +31,9 @@ MESHES = [
     (changed(CUBE, (5, 1), np.nan), CUBE_FACES, ValueError, "vertices[5]: [1, NaN, 1], expected finite numbers"),
     (changed(CUBE, (2, 0), np.inf), CUBE_FACES, ValueError, "vertices[2]: [inf, 1, 0], expected finite numbers"),
     ([[0, 0, 0], [1, 0]], CUBE_FACES, TypeError, "vertices: expected an array of numbers, not this list"),
-    ("mesh.ply", CUBE_FACES, TypeError, "vertices: expected an array of numbers, not this str"),
+    ({"a": 1}, CUBE_FACES, TypeError, "vertices: expected an array of numbers, not this dict"),
+    (np.ma.masked_equal(CUBE, 1), CUBE_FACES, ValueError, "vertices[1]: masked, expected numbers; leave masked rows out, or pass vertices.filled(value)"),
+    (CUBE, np.ma.masked_equal(CUBE_FACES, 7), ValueError, "faces[2]: masked, expected numbers; leave masked rows out, or pass faces.filled(value)"),
     (None, CUBE_FACES, ValueError, "vertices: shape (), expected (n, 3)"),
     (CUBE, CUBE_FACES[:, :2], ValueError, "faces: shape (12, 2), expected (m, 3)"),
     (CUBE, CUBE_FACES.ravel(), ValueError, "faces: shape (36,), expected (m, 3)"),
@@ -41,6 +46,17 @@ MESHES = [
     (CUBE, changed(CUBE_FACES, (3, 0), 2**32, np.int64), ValueError, f"faces[3]: index {2**32} of vertex 0, expected < 8"),
     (CUBE[:0], CUBE_FACES, ValueError, "faces[0]: index 0 of vertex 0, expected < 0"),
 ]  # fmt: skip
+
+
+def test_meshes_that_are_no_arrays():
+    read = "read a mesh by mesh = trimesh.load_mesh('part.stl'), and pass mesh.vertices and mesh.faces; what Scene.save has written is read by Scene.load"
+    for path in ("part.stl", Path("part.stl")):
+        for faces in ((), (CUBE_FACES,)):
+            check(TypeError, f"vertices: the path 'part.stl', expected an array; {read}", lambda: Scene(path, *faces))
+    mesh = SimpleNamespace(vertices=CUBE, faces=CUBE_FACES)
+    message = "vertices: a SimpleNamespace, expected an array; pass its .vertices and its .faces"
+    check(TypeError, message, lambda: Scene(mesh))
+    check(TypeError, "faces: missing, expected integers of shape (m, 3)", lambda: Scene(CUBE))
 
 
 @pytest.mark.parametrize(("vertices", "faces", "kind", "message"), MESHES)
@@ -85,6 +101,7 @@ def test_points_and_what_else_is_asked():
     check(ValueError, "radius[0]: -1, expected >= 0", lambda: single.nearest([0, 0, 0], -1))
     check(ValueError, "radius: shape (2,), expected a number or shape (1,)", lambda: single.nearest([0, 0, 0], [1, 2]))
     check(ValueError, "k: 0, expected at least 1", lambda: single.nearest([0, 0, 0], k=0))
+    check(TypeError, "k: 2.5, expected an integer", lambda: single.nearest([0, 0, 0], k=2.5))
     check(ValueError, "points[0]: [inf, 0, 0], expected finite numbers", lambda: double.nearest([np.inf, 0, 0]))
     check(ValueError, "radius[0]: NaN, expected >= 0", lambda: double.nearest([0, 0, 0], np.nan))
     message = "build: 'slow', expected one of fast, standard, best, sbvh, bounded, median"
@@ -93,6 +110,30 @@ def test_points_and_what_else_is_asked():
     opened = Scene(CUBE, np.delete(CUBE_FACES, [4, 5], axis=0))
     assert not opened.is_closed
     check(ValueError, message, lambda: opened.contains([0, 0, 0]))
+
+
+def test_masked_arrays_are_refused_unless_nothing_is_masked():
+    scene, mask = Scene(CUBE, CUBE_FACES), np.zeros((3, 3), bool)
+    free = np.ma.array(ORIGIN, mask=mask)
+    assert np.array_equal(scene.closest(free, np.ma.array(ALONG)).t, scene.closest(ORIGIN, ALONG).t)
+    mask[2, 1] = True
+    masked = np.ma.array(ORIGIN, mask=mask)
+    end = "masked, expected numbers; leave masked rows out, or pass"
+    for array in (masked, list(masked)):
+        check(ValueError, f"origins[2]: {end} origins.filled(value)", lambda: scene.closest(array, ALONG))
+        check(ValueError, f"directions[2]: {end} directions.filled(value)", lambda: scene.any(ORIGIN, array))
+        check(ValueError, f"points[2]: {end} points.filled(value)", lambda: scene.contains(array))
+        check(ValueError, f"points[2]: {end} points.filled(value)", lambda: scene.nearest(array))
+    ends = np.ma.masked_greater([1.0, 3, 1], 2)
+    check(ValueError, f"tmin[1]: {end} tmin.filled(value)", lambda: scene.all_hits(ORIGIN, ALONG, ends))
+    check(ValueError, f"tmax[1]: {end} tmax.filled(value)", lambda: scene.any(ORIGIN, ALONG, 0, ends))
+    check(ValueError, f"radius: {end} radius.filled(value)", lambda: scene.nearest(ORIGIN, np.ma.masked))
+    vertices = np.ma.masked_equal(CUBE, 0)
+    check(ValueError, f"vertices[0]: {end} vertices.filled(value)", lambda: scene.refit(vertices))
+    single, unit = Scene(CUBE.astype(F4), CUBE_FACES), np.eye(4, dtype=F4)[None]
+    objects, maps = np.ma.masked_equal([0], 0), np.ma.masked_equal(unit, 0)
+    check(ValueError, f"objects[0]: {end} objects.filled(value)", lambda: Instances([single], objects, unit))
+    check(ValueError, f"transforms[0]: {end} transforms.filled(value)", lambda: Instances([single], [0], maps))
 
 
 def test_instances():

@@ -1,5 +1,6 @@
 """What scenes are beside their answers: arrays of any layout, files, new vertices."""
 
+import doctest
 import os
 
 import numpy as np
@@ -7,6 +8,7 @@ import oracle
 import pytest
 from conftest import octasphere, same, some_rays
 
+import stackless_bvh
 from stackless_bvh import Scene
 
 
@@ -255,13 +257,15 @@ def test_a_scene_that_is_asked_is_not_changed(dtype):
     assert np.array_equal(scene.vertices, vertices)
 
 
-def test_no_memory_is_an_exception():
-    scene = Scene(*octasphere(1))
-    with pytest.raises(MemoryError, match="no memory for 18014398509481984 answers"):
-        scene.closest([0, 0, 0], np.broadcast_to(np.float64([0.1, 0.2, 0.3]), (2**54, 3)))
-
-
 def test_the_scene_says_what_it_is(dtype):
     scene = Scene(*octasphere(1, dtype))
     assert repr(scene) == f"<stackless_bvh.Scene: 32 faces, {np.dtype(dtype)}>"
     assert scene.dtype == dtype and scene.nbytes > 32 * 9 * np.dtype(dtype).itemsize
+
+
+@pytest.mark.parametrize("module", ["", "_instances", "_scene"])
+def test_examples_of_docstrings(module, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    module = getattr(stackless_bvh, module, stackless_bvh)
+    found = doctest.testmod(module, extraglobs={"Scene": Scene})
+    assert found.failed == 0 and found.attempted > 5

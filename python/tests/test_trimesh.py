@@ -101,3 +101,16 @@ def test_rays_without_a_direction_and_meshes_without_faces():
         mesh.ray.intersects_any([[0, 0, 0]], rays[1])
     with pytest.raises(ValueError, match=r"origins\[0\]: \[NaN, 0, 0\]"):
         mesh.ray.intersects_any([[np.nan, 0, 0]], [[0, 0, 1]])
+
+
+def test_unknown_arguments_and_masked_arrays_are_refused():
+    ray = [[0, 0, 5.0]], [[0, 0, -1.0]]
+    intersector = RayMeshIntersector(trimesh.creation.box())
+    for query in ("id", "location", "first", "any"):
+        with pytest.raises(TypeError, match="unexpected keyword argument 'tmax'"):
+            getattr(intersector, f"intersects_{query}")(*ray, tmax=1)
+    masked = np.ma.masked_equal([[0, 0, 5.0]], 5)
+    with pytest.raises(ValueError, match=r"ray_origins\[0\]: masked"):
+        intersector.intersects_any(masked, ray[1])
+    with pytest.raises(ValueError, match=r"points\[0\]: masked"):
+        intersector.contains_points(masked)
