@@ -124,7 +124,7 @@ where
     }
 
     fn all(&self, ray: &Ray<V>) -> Vec<Hit<V::Real>> {
-        Tracer::new(self).all(ray).collect()
+        Tracer::new(self).all(ray)
     }
 
     fn crossings(&self, rays: &[Ray<V>]) -> Answers<u32> {
