@@ -5,7 +5,6 @@
 
 mod arrays;
 mod batch;
-mod closed;
 mod errors;
 mod file;
 mod instances;

@@ -8,10 +8,10 @@ use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
 use stackless_bvh::bvh::{Builder, Stored};
 use stackless_bvh::geom::Mesh;
+use stackless_bvh::trace::{Boundary, Rule};
 
 use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
 use crate::batch::in_background;
-use crate::closed::Edges;
 use crate::errors::refused;
 use crate::memory::{self, room};
 use crate::space::{Double, Single, Space};
@@ -36,7 +36,7 @@ enum Either {
 struct Held<S: Space> {
     mesh: Arc<Mesh<S::Vector>>,
     bvh: Arc<S>,
-    edges: OnceLock<Edges>,
+    boundary: OnceLock<Boundary>,
 }
 
 /// The same expression for either precision.
@@ -151,18 +151,18 @@ impl Scene {
         indices.into_pyarray(py).reshape([faces.len(), 3])
     }
 
-    /// The numbers of open edges and of unpaired ones, and what is wrong with the first open one.
-    fn edges(&self, py: Python<'_>) -> PyResult<(usize, usize, Option<String>)> {
-        let edges = match &self.held {
-            Either::Single(held) => held.edges(py)?,
-            Either::Double(held) => held.edges(py)?,
+    /// The numbers of open edges, of unpaired ones and of repeated faces, and what is wrong with the first open edge.
+    fn boundary(&self, py: Python<'_>) -> PyResult<(usize, usize, usize, Option<String>)> {
+        let boundary = match &self.held {
+            Either::Single(held) => held.boundary(py)?,
+            Either::Double(held) => held.boundary(py)?,
         };
-        let wrong = edges.first.map(|edge| {
+        let wrong = boundary.first.map(|edge| {
             let ([a, b], count) = (edge.ends, edge.faces);
             let faces = if count == 1 { "face" } else { "faces" };
             format!("the edge ({a}, {b}) of faces[{}] is in {count} {faces}, expected an even number", edge.face)
         });
-        Ok((edges.open, edges.unpaired, wrong))
+        Ok((boundary.open, boundary.unpaired, boundary.repeated, wrong))
     }
 
     fn closest<'py>(
@@ -214,11 +214,24 @@ impl Scene {
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
+        nonzero: bool,
         boundary: bool,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            object(py, queries::contains::<S>(py, (&held.mesh, &held.bvh), points, boundary, progress.as_ref())?)
+            let rule = if nonzero { Rule::Nonzero } else { Rule::Parity };
+            object(py, queries::contains::<S>(py, (&held.mesh, &held.bvh), points, (rule, boundary), progress.as_ref())?)
+        })
+    }
+
+    fn winding_numbers<'py>(
+        &self,
+        py: Python<'py>,
+        points: &Bound<'py, PyAny>,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        either!(self, held, S => {
+            object(py, queries::winding_numbers::<S>(py, (&held.mesh, &held.bvh), points, progress.as_ref())?)
         })
     }
 
@@ -272,7 +285,7 @@ impl Either {
 
 impl<S: Space<Vector: Stored> + 'static> Held<S> {
     fn new(mesh: Mesh<S::Vector>, bvh: S) -> Self {
-        Self { mesh: Arc::new(mesh), bvh: Arc::new(bvh), edges: OnceLock::new() }
+        Self { mesh: Arc::new(mesh), bvh: Arc::new(bvh), boundary: OnceLock::new() }
     }
 
     fn build(
@@ -319,11 +332,11 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
             memory::check(self.bvh.bytes())?;
         }
         py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).refit(&mesh)))?;
-        (self.mesh, self.edges) = (Arc::new(mesh), OnceLock::new());
+        (self.mesh, self.boundary) = (Arc::new(mesh), OnceLock::new());
         look(2)?;
         if optimize {
             // More than was seen to be in use.
-            memory::check_shared(self.bvh.bytes() + 128 * self.mesh.triangles().len(), threads.count())?;
+            memory::check_shared(self.bvh.bytes() + 192 * self.mesh.triangles().len(), threads.count())?;
             py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).optimize()))?;
             look(3)?;
         }
@@ -332,15 +345,15 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
 
     /// Two threads that come at once both look, and find the same. Neither waits for the other, which a child that was
     /// forked meanwhile does not have.
-    fn edges(&self, py: Python<'_>) -> PyResult<&Edges> {
-        if let Some(edges) = self.edges.get() {
-            return Ok(edges);
+    fn boundary(&self, py: Python<'_>) -> PyResult<&Boundary> {
+        if let Some(boundary) = self.boundary.get() {
+            return Ok(boundary);
         }
         let threads = Threads::all(py)?;
         // More than was seen to be in use.
-        memory::check(48 * self.mesh.vertices().len() + 128 * self.mesh.triangles().len())?;
-        let edges = py.detach(|| threads.run(|| Edges::of(&self.mesh)));
-        Ok(self.edges.get_or_init(|| edges))
+        memory::check(48 * self.mesh.vertices().len() + 192 * self.mesh.triangles().len())?;
+        let boundary = py.detach(|| threads.run(|| Boundary::of(&self.mesh)));
+        Ok(self.boundary.get_or_init(|| boundary))
     }
 }
 

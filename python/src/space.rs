@@ -66,6 +66,7 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
     fn all(&self, ray: &Ray<Self::Vector>) -> Vec<Hit<Self::Real>>;
     fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
+    fn winding(&self, rays: &[Ray<Self::Vector>]) -> Answers<i32>;
     fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
@@ -129,6 +130,10 @@ where
 
     fn crossings(&self, rays: &[Ray<V>]) -> Answers<u32> {
         Tracer::new(self).crossings_parallel(rays)
+    }
+
+    fn winding(&self, rays: &[Ray<V>]) -> Answers<i32> {
+        Tracer::new(self).winding_parallel(rays)
     }
 
     fn nearest(&self, balls: &[Ball<V>]) -> Answers<Option<Near<V>>> {

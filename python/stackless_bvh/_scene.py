@@ -5,8 +5,9 @@ from __future__ import annotations
 import operator
 import os
 import sys
+import warnings
 from collections.abc import Callable
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -118,16 +119,20 @@ class Scene:
 
     @property
     def is_closed(self) -> bool:
-        """Whether every edge is in an even number of faces, so that the mesh has an inside.
+        """Whether every point of every edge is covered an even number of times, so that the mesh has an inside.
 
-        Vertices of equal coordinates are one. How faces are oriented does not matter.
+        This is exact. Vertices of equal coordinates are one, and a vertex may lie in the middle of a neighbour's edge (a
+        T-junction). How faces are oriented does not matter.
         """
-        return self._native.edges()[0] == 0
+        return self._native.boundary()[0] == 0
 
     @property
     def is_oriented(self) -> bool:
-        """Whether every edge is run through as often in one direction as in the other; such a mesh is closed too."""
-        return self._native.edges()[1] == 0
+        """Whether every point of every edge is run through as often in one direction as in the other.
+
+        Such a mesh is closed too, and its winding numbers are integers.
+        """
+        return self._native.boundary()[1] == 0
 
     def closest(
         self,
@@ -229,11 +234,14 @@ class Scene:
         """
         return self._native.crossings(self._rays(origins, directions, tmin, tmax), progress)
 
-    def contains(self, points: ArrayLike, boundary: bool = True, progress: Progress | None = None) -> NDArray[np.bool_]:
+    def contains(
+        self,
+        points: ArrayLike,
+        boundary: bool = True,
+        progress: Progress | None = None,
+        rule: Literal["parity", "nonzero"] = "parity",
+    ) -> NDArray[np.bool_]:
         """Whether each point is inside of the mesh, which must be closed: shape (n,).
-
-        Inside is where a ray crosses the mesh an odd number of times: between two nested spheres, but not in the
-        inner one. It does not matter how faces are oriented.
 
         Parameters
         ----------
@@ -241,13 +249,23 @@ class Scene:
             Shape (n, 3).
         boundary
             What is answered for points that are exactly on a face that has an area.
+        rule
+            ``"parity"``: a point is inside where a ray crosses the mesh an odd number of times, whatever the orientation of
+            faces. Parts that overlap cancel out. ``"nonzero"``: a point is inside where the winding number is not 0. Parts
+            that overlap unite. The mesh must be oriented.
+
+        Warns
+        -----
+        UserWarning
+            Faces repeat earlier ones, which cancel out by parity.
 
         Raises
         ------
         TypeError
             The array has another dtype than the scene.
         ValueError
-            The mesh is not closed (the message names an edge), the shape does not fit, or a number is not finite.
+            The mesh is not closed (the message names an edge) or not oriented, the rule is unknown, the shape does not
+            fit, or a number is not finite.
 
         Examples
         --------
@@ -256,12 +274,59 @@ class Scene:
         >>> scene.contains([[0.1, 0.1, 0.1], [1, 1, 1], [0, 0, 0]])
         array([ True, False,  True])
         """
+        if rule not in ("parity", "nonzero"):
+            raise ValueError(f"rule: {rule!r}, expected 'parity' or 'nonzero'")
         points = rows(points, "points", self._native.dtype)
-        count, _, wrong = self._native.edges()
+        repeated = self._require_inside(oriented=rule == "nonzero")
+        if repeated > 0 and rule == "parity":
+            warnings.warn(
+                f"{repeated} of the faces repeat earlier ones, and cancel them out by parity: rule='nonzero' does not",
+                stacklevel=2,
+            )
+        return self._native.contains(points, rule == "nonzero", bool(boundary), progress)
+
+    def winding_number(self, points: ArrayLike, progress: Progress | None = None) -> NDArray[np.int64]:
+        """How often the mesh winds around each point, exactly: shape (n,).
+
+        It is 1 inside of a surface whose faces are seen counterclockwise from outside, 2 where two of them overlap, -1
+        inside of one that is turned, and 0 outside. The mesh must be closed and oriented. Of a point that is exactly on a
+        face, it is the number of one of its sides.
+
+        Parameters
+        ----------
+        points
+            Shape (n, 3).
+
+        Raises
+        ------
+        TypeError
+            The array has another dtype than the scene.
+        ValueError
+            The mesh is not closed or not oriented, the shape does not fit, or a number is not finite.
+
+        Examples
+        --------
+        >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> scene = Scene(vertices, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> scene.winding_number([[0.1, 0.1, 0.1], [1, 1, 1]])
+        array([1, 0])
+        """
+        points = rows(points, "points", self._native.dtype)
+        self._require_inside(oriented=True)
+        return self._native.winding_numbers(points, progress)
+
+    def _require_inside(self, oriented: bool) -> int:
+        """The number of repeated faces of a mesh that has an inside, and that is oriented if it must be."""
+        count, unpaired, repeated, wrong = self._native.boundary()
         if wrong is not None:
             more = "" if count == 1 else f" ({count} such edges)"
             raise ValueError(f"the mesh is not closed: {wrong}{more}")
-        return self._native.contains(points, bool(boundary), progress)
+        if oriented and unpaired > 0:
+            raise ValueError(
+                "the mesh is not oriented: its faces run through "
+                f"{unpaired} of its edges more often in one direction than in the other; rule='parity' fits it"
+            )
+        return repeated
 
     def nearest(
         self, points: ArrayLike, radius: ArrayLike = np.inf, k: int = 1, progress: Progress | None = None

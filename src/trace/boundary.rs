@@ -56,7 +56,7 @@ pub struct OpenEdge {
     /// The vertices, in the direction of the face.
     pub ends: [u32; 2],
     /// How many faces run through these two vertices.
-    pub faces: usize,
+    pub faces: u32,
 }
 
 impl Boundary {
@@ -65,20 +65,10 @@ impl Boundary {
         let welded = welded(mesh.vertices());
         let mut edges: Vec<_> = directed(mesh.triangles(), &welded).collect();
         threads::sort_by(&mut edges, u64::cmp);
-        let (mut odd, mut one_sided) = (Vec::new(), Vec::new());
-        for same in edges.chunk_by(|a, b| a >> 1 == b >> 1) {
-            let (edge, faces) = (same[0] >> 1, same.len());
-            let backward = same.iter().filter(|&edge| edge & 1 == 1).count();
-            if faces % 2 == 1 {
-                odd.push(Share { edge, faces, weights: [1, 1] });
-            }
-            if 2 * backward != faces {
-                let net = faces as i64 - 2 * backward as i64;
-                one_sided.push(Share { edge, faces, weights: [-net, net] });
-            }
-        }
-        odd = unbalanced(mesh, odd, |sum| sum % 2 == 0);
-        one_sided = unbalanced(mesh, one_sided, |sum| sum == 0);
+        let shares = edges.chunk_by(|a, b| a >> 1 == b >> 1).map(Share::of);
+        let odd = uneven(mesh, shares.clone().filter(|share| share.faces % 2 == 1), |_| [1, 1], |sum| sum % 2 == 0);
+        let one_sided =
+            uneven(mesh, shares.filter(|share| share.net != 0), |share| [-share.net, share.net], |sum| sum == 0);
         let first = first(mesh.triangles(), &welded, &odd);
         Self { open: odd.len(), unpaired: one_sided.len(), repeated: repeated(mesh.triangles(), &welded), first }
     }
@@ -94,31 +84,45 @@ impl Boundary {
     }
 }
 
-/// An edge that the faces at its own two vertices leave uneven.
+/// An edge, by its two vertices.
 #[derive(Clone, Copy)]
 struct Share {
     /// The lesser end times 2^31, and the greater end.
     edge: u64,
-    faces: usize,
-    /// What it adds at the lesser and at the greater end.
-    weights: [i64; 2],
+    /// How many faces run through it.
+    faces: u32,
+    /// How many of them do so from the lesser end to the greater one, less the others.
+    net: i32,
 }
 
 impl Share {
-    fn ends(&self) -> [u32; 2] {
+    /// Of edges of faces that have the same ends.
+    fn of(edges: &[u64]) -> Self {
+        let backward = edges.iter().filter(|&edge| edge & 1 == 1).count();
+        Self { edge: edges[0] >> 1, faces: edges.len() as u32, net: edges.len() as i32 - 2 * backward as i32 }
+    }
+
+    const fn ends(&self) -> [u32; 2] {
         [(self.edge >> 31) as u32, (self.edge & 0x7FFF_FFFF) as u32]
     }
 }
 
-/// An end of an edge: the vertex, the other one, the weight, the edge's index.
-type End = (u32, u32, i64, usize);
+/// An end of an edge: the vertex, the other one, what the edge adds there, and its index.
+type End = (u32, u32, i32, u32);
 
-/// The edges that other edges on their line do not make even.
-fn unbalanced<V: Vector>(mesh: &Mesh<V>, shares: Vec<Share>, is_even: impl Fn(i64) -> bool) -> Vec<Share> {
+/// The edges with an end at which what the edges of their line add is not even. `weights` are those at the lesser end and at the
+/// greater one.
+fn uneven<V: Vector>(
+    mesh: &Mesh<V>,
+    shares: impl Iterator<Item = Share>,
+    weights: impl Fn(&Share) -> [i32; 2],
+    is_even: impl Fn(i64) -> bool,
+) -> Vec<Share> {
     let at = |vertex: u32| mesh.vertices()[vertex as usize].widen();
+    let shares: Vec<_> = shares.collect();
     let mut ends: Vec<End> = Vec::with_capacity(2 * shares.len());
-    for (i, share) in shares.iter().enumerate() {
-        let ([lesser, greater], [first, second]) = (share.ends(), share.weights);
+    for (share, i) in shares.iter().zip(0..) {
+        let ([lesser, greater], [first, second]) = (share.ends(), weights(share));
         ends.extend([(lesser, greater, first, i), (greater, lesser, second, i)]);
     }
     threads::sort_by(&mut ends, Ord::cmp);
@@ -128,12 +132,14 @@ fn unbalanced<V: Vector>(mesh: &Mesh<V>, shares: Vec<Share>, is_even: impl Fn(i6
         let lines = |a: &End, b: &End| order_of_lines(vertex, [at(a.1), at(b.1)]);
         fan.sort_unstable_by(lines);
         for line in fan.chunk_by(|a, b| lines(a, b) == Ordering::Equal) {
-            if !is_even(line.iter().map(|end| end.2).sum()) {
-                line.iter().for_each(|end| is_uneven[end.3] = true);
+            if !is_even(line.iter().map(|end| i64::from(end.2)).sum()) {
+                for end in line {
+                    is_uneven[end.3 as usize] = true;
+                }
             }
         }
     }
-    shares.into_iter().zip(is_uneven).filter_map(|(share, uneven)| uneven.then_some(share)).collect()
+    shares.into_iter().zip(is_uneven).filter_map(|(share, is_uneven)| is_uneven.then_some(share)).collect()
 }
 
 /// For each vertex, the first one of its coordinates.
@@ -183,7 +189,9 @@ fn first(faces: &[[u32; 3]], welded: &[u32], open: &[Share]) -> Option<OpenEdge>
 /// How many faces have the vertices of an earlier one, in any order.
 fn repeated(faces: &[[u32; 3]], welded: &[u32]) -> usize {
     let mut sorted: Vec<_> = faces.iter().map(|face| face.map(|vertex| welded[vertex as usize])).collect();
-    sorted.iter_mut().for_each(|face| face.sort_unstable());
+    for face in &mut sorted {
+        face.sort_unstable();
+    }
     threads::sort_by(&mut sorted, Ord::cmp);
     sorted.windows(2).filter(|pair| pair[0] == pair[1]).count()
 }

@@ -93,6 +93,11 @@ pub trait MeshQueries<V: Vector> {
         rays.iter().map(|ray| self.crossings(ray)).collect()
     }
 
+    /// Sums the signs of the crossings of each ray, as [`winding`](Self::winding), on this thread.
+    fn winding_each(&self, rays: &[Ray<V>]) -> Vec<i32> {
+        rays.iter().map(|ray| self.winding(ray)).collect()
+    }
+
     /// Finds the [`nearest`](Self::nearest) point of each ball, on this thread.
     fn nearest_each(&self, balls: &[Ball<V>]) -> Vec<Option<Near<V>>> {
         balls.iter().map(|ball| self.nearest(ball)).collect()
@@ -107,6 +112,17 @@ pub trait MeshQueries<V: Vector> {
         Self: Sync,
     {
         in_parallel(rays, |rays| self.crossings_each(rays))
+    }
+
+    /// Sums the signs of the crossings of each ray, as [`winding`](Self::winding), on all threads.
+    ///
+    /// # Errors
+    /// [`EnvironmentError`], of any thread that took part.
+    fn winding_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<i32>, EnvironmentError>
+    where
+        Self: Sync,
+    {
+        in_parallel(rays, |rays| self.winding_each(rays))
     }
 
     /// Finds the [`nearest`](Self::nearest) point of each ball, on all threads.

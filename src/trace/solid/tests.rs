@@ -17,7 +17,7 @@ fn faces([lo, hi]: Box3, cut: usize) -> Vec<[[i32; 3]; 3]> {
     let mut faces = Vec::new();
     for (i, quad) in quads.into_iter().enumerate() {
         let [a, b, c, d] = quad.map(corner);
-        let middle = [0, 1, 2].map(|k| (a[k] + b[k]) / 2);
+        let middle = [0, 1, 2].map(|k| i32::midpoint(a[k], b[k]));
         if i == cut {
             faces.extend([[a, middle, d], [middle, c, d], [middle, b, c]]);
         } else {
@@ -37,7 +37,7 @@ fn mesh<V: Vector>(faces: &[[[i32; 3]; 3]]) -> Mesh<V> {
 fn points_are_where_the_boxes_say<V: Precision>() {
     let (mut random, mut counts) = (Rng::new(5), [0; 4]);
     for round in 0..12 {
-        let boxes: Vec<Box3> = (0..1 + round % 4)
+        let boxes: Vec<Box3> = (0..=round % 4)
             .map(|_| {
                 let lo = [0; 3].map(|_: i32| 2 * random.below(3) as i32);
                 [lo, lo.map(|x| x + 2 + 2 * random.below(3) as i32)]
@@ -47,7 +47,9 @@ fn points_are_where_the_boxes_say<V: Precision>() {
         let mut faces: Vec<_> = boxes.iter().flat_map(|&it| faces(it, cut)).collect();
         if round % 2 == 1 {
             // Seen from inside.
-            faces.iter_mut().for_each(|face| face.swap(0, 1));
+            for face in &mut faces {
+                face.swap(0, 1);
+            }
         }
         let mesh: Mesh<V> = mesh(&faces);
         let boundary = Boundary::of(&mesh);

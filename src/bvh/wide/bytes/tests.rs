@@ -159,7 +159,7 @@ proptest! {
             prop_assert_eq!(found.to_bytes(), bytes);
             let tracer = Tracer::new(found);
             for ray in procedural::rays(&mesh, seed, 20) {
-                prop_assert_eq!(tracer.closest(&ray).is_some(), tracer.all(&ray).len() > 0);
+                prop_assert_eq!(tracer.closest(&ray).is_some(), !tracer.all(&ray).is_empty());
             }
         }
     }

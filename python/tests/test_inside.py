@@ -1,0 +1,85 @@
+"""Closed meshes, and which points are inside of them."""
+
+import numpy as np
+import pytest
+
+from stackless_bvh import Scene
+
+CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+# Seen from outside.
+QUADS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+FACES = np.array([corners for a, b, c, d in QUADS for corners in ([a, b, c], [a, c, d])])
+GRID = np.stack(np.meshgrid(*[np.arange(-0.25, 1.5, 0.125)] * 3), axis=-1).reshape(-1, 3)
+
+
+def box(low=0.0, high=1.0, dtype=np.float64):
+    return (CORNERS * (high - low) + low).astype(dtype), FACES
+
+
+def within(points, low=0.0, high=1.0):
+    return ((points > low) & (points < high)).all(axis=1)
+
+
+def on(points, low=0.0, high=1.0):
+    return ((points >= low) & (points <= high)).all(axis=1) & ~within(points, low, high)
+
+
+def both(one, other):
+    return np.concatenate([one[0], other[0]]), np.concatenate([one[1], other[1] + len(one[0])])
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+def test_a_vertex_in_the_middle_of_an_edge_leaves_a_mesh_closed(dtype):
+    vertices, faces = box(dtype=dtype)
+    # The first face is cut at the middle of an edge, and its neighbour there is not.
+    (a, b, c), middle = faces[0], len(vertices)
+    vertices = np.concatenate([vertices, [(vertices[a] + vertices[b]) / 2]]).astype(dtype)
+    scene = Scene(vertices, [[a, middle, c], [middle, b, c], *faces[1:]])
+    assert scene.is_closed and scene.is_oriented
+    points = GRID.astype(dtype)
+    inside = scene.contains(points, boundary=False)
+    assert np.array_equal(inside, within(points)) and inside.sum() > 300
+    assert np.array_equal(scene.contains(points), within(points) | on(points))
+    # An ulp beside the edge is a gap.
+    vertices[middle] += np.spacing(vertices[middle].astype(dtype) + 1)
+    assert not Scene(vertices, scene.faces).is_closed
+
+
+def test_overlapping_parts_cancel_out_by_parity_and_unite_by_winding_number():
+    scene = Scene(*both(box(), box(0.5, 1.25)))
+    count = within(GRID).astype(int) + within(GRID, 0.5, 1.25)
+    clear = ~on(GRID) & ~on(GRID, 0.5, 1.25)
+    assert (count[clear] == 2).sum() > 10
+    assert np.array_equal(scene.contains(GRID)[clear], count[clear] == 1)
+    assert np.array_equal(scene.contains(GRID, rule="nonzero")[clear], count[clear] > 0)
+    assert np.array_equal(scene.winding_number(GRID)[clear], count[clear])
+    assert scene.winding_number(GRID).dtype == np.int64
+    # Turned inside out, the numbers are negative.
+    turned = Scene(scene.vertices, scene.faces[:, ::-1])
+    assert np.array_equal(turned.winding_number(GRID)[clear], -count[clear])
+    assert np.array_equal(turned.contains(GRID, rule="nonzero")[clear], count[clear] > 0)
+
+
+def test_repeated_faces_are_said_where_they_cancel_out():
+    scene = Scene(*both(box(), box()))
+    assert scene.is_closed
+    with pytest.warns(UserWarning, match="12 of the faces repeat earlier ones, and cancel them out by parity"):
+        assert not scene.contains([[0.5, 0.25, 0.125]]).any()
+    assert scene.contains([[0.5, 0.25, 0.125]], rule="nonzero").all()
+    assert scene.winding_number([[0.5, 0.25, 0.125]]) == 2
+
+
+def test_a_rule_that_does_not_fit_is_an_error():
+    vertices, faces = box()
+    turned = faces.copy()
+    turned[0] = turned[0][::-1]
+    scene = Scene(vertices, turned)
+    assert scene.contains([[0.5, 0.25, 0.125]]).all()
+    unoriented = "not oriented: its faces run through 3 of its edges more often in one direction than in the other"
+    for ask in (scene.winding_number, lambda points: scene.contains(points, rule="nonzero")):
+        with pytest.raises(ValueError, match=unoriented):
+            ask(GRID)
+    with pytest.raises(ValueError, match=r"not closed: the edge \(0, 3\) of faces\[0\] is in 1 face"):
+        Scene(vertices, faces[1:]).winding_number(GRID)
+    with pytest.raises(ValueError, match="rule: 'even', expected 'parity' or 'nonzero'"):
+        scene.contains(GRID, rule="even")
