@@ -11,7 +11,7 @@ use dashu_int::IBig;
 use glam::{DVec3, Vec3};
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::Tracer;
+use stackless_bvh::trace::{RayQueries, Tracer};
 
 type Failure = Box<dyn std::error::Error>;
 

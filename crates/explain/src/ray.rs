@@ -89,7 +89,7 @@ mod tests {
     use crate::record;
     use stackless_bvh::bvh::{BuildOptions, Builder};
     use stackless_bvh::generate::procedural;
-    use stackless_bvh::trace::{BinaryTracer, Counters};
+    use stackless_bvh::trace::{BinaryTracer, Counters, RayQueries};
     use stackless_bvh::traverse::Method;
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::observe::{Log, Seen};
 use super::*;
+use stackless_bvh::trace::RayQueries;
 use stackless_bvh::wide::Words;
 
 fn compare(method: Method, change: impl FnOnce(&mut Vec<Seen>)) -> Result<usize, (&'static str, usize)> {
