@@ -7,6 +7,7 @@ mod arrays;
 mod batch;
 mod errors;
 mod file;
+mod inside;
 mod instances;
 mod memory;
 mod queries;

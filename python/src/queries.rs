@@ -7,11 +7,11 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
 use stackless_bvh::geom::{Ball, Mesh, Ray, Vector, check_environment};
-use stackless_bvh::trace::{Hit, Near, Rule};
+use stackless_bvh::trace::{Hit, Near};
 
 use crate::arrays::{Rays, check_places, numbers, places, points, row_of};
 use crate::batch::in_pieces;
-use crate::errors::{failed, listed, of_ball, of_ray, refused};
+use crate::errors::{failed, of_ball, refused};
 use crate::memory::{self, reserve, room};
 use crate::space::{Coordinate, Space};
 use crate::threads::{FEW, ROWS, Threads, of_chunks};
@@ -138,113 +138,6 @@ fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V:
         // Nothing else: it is a hit.
         Meeting::Hit(_) | Meeting::Miss | Meeting::Coplanar => 0,
     }
-}
-
-/// Whether each point is inside of a closed mesh, and `boundary` for those on it.
-pub(crate) fn contains<'py, S: Space>(
-    py: Python<'py>,
-    scene: (&Mesh<S::Vector>, &S),
-    points: &Bound<'py, PyAny>,
-    (rule, boundary): (Rule, bool),
-    progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    of_points(py, scene, points, false, |points| inside_of(scene.1, points, rule, boundary), progress)
-}
-
-/// The winding number of each point; of one on a face that of one of its sides.
-pub(crate) fn winding_numbers<'py, S: Space>(
-    py: Python<'py>,
-    scene: (&Mesh<S::Vector>, &S),
-    points: &Bound<'py, PyAny>,
-    progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let answer = |points: &[_]| -> PyResult<Vec<_>> {
-        let numbers =
-            scene.1.winding(&rays_along::<S>(points, 0, <S::Real as Coordinate>::INFINITY)?).map_err(failed)?;
-        Ok(numbers.into_iter().map(i64::from).collect())
-    };
-    of_points(py, scene, points, 0, answer, progress)
-}
-
-/// An answer for each point. Those outside of the box of the mesh need no ray.
-fn of_points<'py, S: Space, A: Copy + Send + numpy::Element>(
-    py: Python<'py>,
-    (mesh, _): (&Mesh<S::Vector>, &S),
-    array: &Bound<'py, PyAny>,
-    outside: A,
-    answer: impl Fn(&[(usize, S::Vector)]) -> PyResult<Vec<A>> + Sync,
-    progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<A>>> {
-    let rows = points::<S>(array, "points")?;
-    let places = places(rows.as_array().nrows(), [array], ["points"])?;
-    let array = rows.as_array();
-    let [lo, hi] = py.detach(|| bounds(mesh));
-    let read = |_: &Threads, rows: Range<usize>| {
-        check_places(&places)?;
-        let mut inside_box = Vec::new();
-        let count = rows.len();
-        for (i, row) in rows.enumerate() {
-            let point = row_of(&array, row);
-            let wide = point.map(Into::<f64>::into);
-            if wide.iter().any(|x| !x.is_finite()) {
-                let [x, y, z] = wide;
-                return Err(refused(format!(
-                    "points[{row}]: {}, expected finite numbers",
-                    listed(glam::DVec3::new(x, y, z))
-                )));
-            }
-            if (0..3).all(|k| lo[k] <= wide[k] && wide[k] <= hi[k]) {
-                inside_box.push((i, S::Vector::from_components(point)));
-            }
-        }
-        Ok((count, inside_box))
-    };
-    let answer = |(count, inside_box): (usize, Vec<(usize, S::Vector)>)| {
-        let mut answers = vec![outside; count];
-        for ((i, _), found) in inside_box.iter().zip(answer(&inside_box)?) {
-            answers[*i] = found;
-        }
-        Ok(answers)
-    };
-    let mut found = room(array.nrows())?;
-    let keep = |_: &Threads, answers: Vec<A>| {
-        found.extend(answers);
-        Ok(())
-    };
-    in_pieces(py, (array.nrows(), FEW), progress, read, answer, keep)?;
-    Ok(found.into_pyarray(py))
-}
-
-/// As `Solid::locate` of the library, for many points at once.
-fn inside_of<S: Space>(bvh: &S, points: &[(usize, S::Vector)], rule: Rule, boundary: bool) -> PyResult<Vec<bool>> {
-    let rays = rays_along::<S>(points, 0, <S::Real as Coordinate>::INFINITY)?;
-    let mut inside: Vec<_> = match rule {
-        Rule::Parity => bvh.crossings(&rays).map_err(failed)?.into_iter().map(|count| count % 2 == 1).collect(),
-        Rule::Nonzero => bvh.winding(&rays).map_err(failed)?.into_iter().map(|number| number != 0).collect(),
-    };
-    for axis in 0..3 {
-        let is_on = bvh.any(&rays_along::<S>(points, axis, S::Real::ZERO)?).map_err(failed)?;
-        inside.iter_mut().zip(is_on).filter(|(_, is_on)| *is_on).for_each(|(inside, _)| *inside = boundary);
-    }
-    Ok(inside)
-}
-
-/// Rays from points along an axis.
-fn rays_along<S: Space>(points: &[(usize, S::Vector)], axis: usize, tmax: S::Real) -> PyResult<Vec<Ray<S::Vector>>> {
-    let mut direction = [S::Real::ZERO; 3];
-    direction[axis] = S::Real::ONE;
-    let ray = |&(i, point)| {
-        Ray::within(point, S::Vector::from_components(direction), S::Real::ZERO, tmax).map_err(|error| of_ray(error, i))
-    };
-    points.iter().map(ray).collect()
-}
-
-/// The box of the vertices.
-pub(crate) fn bounds<V: Vector<Real: Into<f64>>>(mesh: &Mesh<V>) -> [[f64; 3]; 2] {
-    mesh.vertices().iter().fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[lo, hi], vertex| {
-        let x = vertex.components().map(Into::<f64>::into);
-        [[0, 1, 2].map(|k| lo[k].min(x[k])), [0, 1, 2].map(|k| hi[k].max(x[k]))]
-    })
 }
 
 /// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.

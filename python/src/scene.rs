@@ -16,7 +16,7 @@ use crate::errors::refused;
 use crate::memory::{self, room};
 use crate::space::{Double, Single, Space};
 use crate::threads::Threads;
-use crate::{file, queries};
+use crate::{file, inside, queries};
 
 /// A mesh with its hierarchy.
 #[pyclass(module = "stackless_bvh._native")]
@@ -214,13 +214,19 @@ impl Scene {
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
-        nonzero: bool,
-        boundary: bool,
+        rule: &str,
+        surface: bool,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
+        let rule = match rule {
+            "parity" => Rule::Parity,
+            "nonzero" => Rule::Nonzero,
+            "winding" => Rule::Winding,
+            _ => return Err(refused(format!("rule: '{rule}', expected 'parity', 'nonzero' or 'winding'"))),
+        };
         either!(self, held, S => {
-            let rule = if nonzero { Rule::Nonzero } else { Rule::Parity };
-            object(py, queries::contains::<S>(py, (&held.mesh, &held.bvh), points, (rule, boundary), progress.as_ref())?)
+            let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
+            object(py, inside::contains::<S>(py, solid, points, (rule, surface), progress.as_ref())?)
         })
     }
 
@@ -231,7 +237,8 @@ impl Scene {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            object(py, queries::winding_numbers::<S>(py, (&held.mesh, &held.bvh), points, progress.as_ref())?)
+            let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
+            object(py, inside::winding_numbers::<S>(py, solid, points, progress.as_ref())?)
         })
     }
 
@@ -336,7 +343,7 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         look(2)?;
         if optimize {
             // More than was seen to be in use.
-            memory::check_shared(self.bvh.bytes() + 192 * self.mesh.triangles().len(), threads.count())?;
+            memory::check_shared(self.bvh.bytes() + 448 * self.mesh.triangles().len(), threads.count())?;
             py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).optimize()))?;
             look(3)?;
         }
@@ -351,7 +358,7 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         }
         let threads = Threads::all(py)?;
         // More than was seen to be in use.
-        memory::check(48 * self.mesh.vertices().len() + 192 * self.mesh.triangles().len())?;
+        memory::check(48 * self.mesh.vertices().len() + 448 * self.mesh.triangles().len())?;
         let boundary = py.detach(|| threads.run(|| Boundary::of(&self.mesh)));
         Ok(self.boundary.get_or_init(|| boundary))
     }

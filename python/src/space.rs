@@ -6,8 +6,8 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
-use stackless_bvh::trace::{Hit, MeshQueries, Near, RayQueries, Tracer};
+use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, RayError, Vector};
+use stackless_bvh::trace::{Boundary, Hit, MeshQueries, Near, RayQueries, Tracer, Winding};
 
 use crate::errors::{failed, of_refit, refused};
 use crate::memory;
@@ -66,7 +66,7 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
     fn all(&self, ray: &Ray<Self::Vector>) -> Vec<Hit<Self::Real>>;
     fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
-    fn winding(&self, rays: &[Ray<Self::Vector>]) -> Answers<i32>;
+    fn winding(&self, mesh: &Mesh<Self::Vector>, boundary: &Boundary, point: Self::Vector) -> Result<f64, RayError>;
     fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
@@ -132,8 +132,8 @@ where
         Tracer::new(self).crossings_parallel(rays)
     }
 
-    fn winding(&self, rays: &[Ray<V>]) -> Answers<i32> {
-        Tracer::new(self).winding_parallel(rays)
+    fn winding(&self, mesh: &Mesh<V>, boundary: &Boundary, point: V) -> Result<f64, RayError> {
+        Winding::new(&Tracer::new(self), mesh, boundary).number(point)
     }
 
     fn nearest(&self, balls: &[Ball<V>]) -> Answers<Option<Near<V>>> {

@@ -15,7 +15,6 @@
 //! share, exactly.
 
 use std::cmp::Ordering;
-use std::collections::HashMap;
 
 use crate::geom::{Mesh, Vector, order_of_lines};
 use crate::threads;
@@ -46,6 +45,17 @@ pub struct Boundary {
     pub repeated: usize,
     /// An open edge of the first face that has one.
     pub first: Option<OpenEdge>,
+    /// The edges that more faces run through in one direction than in the other; none if the mesh is oriented.
+    pub borders: Vec<Border>,
+}
+
+/// An edge on the border of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Border {
+    /// The vertices, in the direction of the faces.
+    pub ends: [u32; 2],
+    /// How many more faces run through it in this direction than in the other, at least 1.
+    pub faces: u32,
 }
 
 /// An edge at which a surface ends.
@@ -66,11 +76,14 @@ impl Boundary {
         let mut edges: Vec<_> = directed(mesh.triangles(), &welded).collect();
         threads::sort_by(&mut edges, u64::cmp);
         let shares = edges.chunk_by(|a, b| a >> 1 == b >> 1).map(Share::of);
-        let odd = uneven(mesh, shares.clone().filter(|share| share.faces % 2 == 1), |_| [1, 1], |sum| sum % 2 == 0);
-        let one_sided =
-            uneven(mesh, shares.filter(|share| share.net != 0), |share| [-share.net, share.net], |sum| sum == 0);
+        let odd = shares.clone().filter(|share| share.faces % 2 == 1);
+        let odd = uneven(mesh, &odd.collect::<Vec<_>>(), |_| [1, 1], |sum| sum % 2 == 0);
+        let one_sided: Vec<_> = shares.filter(|share| share.net != 0).collect();
+        let unpaired = uneven(mesh, &one_sided, |share| [-share.net, share.net], |sum| sum == 0).len();
+        // Where others on their line make up for all of them, there is no border.
+        let borders = if unpaired > 0 { one_sided.iter().map(Share::border).collect() } else { Vec::new() };
         let first = first(mesh.triangles(), &welded, &odd);
-        Self { open: odd.len(), unpaired: one_sided.len(), repeated: repeated(mesh.triangles(), &welded), first }
+        Self { open: odd.len(), unpaired, repeated: repeated(mesh.triangles(), &welded), first, borders }
     }
 
     /// Whether the surface has no end: it has an inside by parity.
@@ -105,6 +118,12 @@ impl Share {
     const fn ends(&self) -> [u32; 2] {
         [(self.edge >> 31) as u32, (self.edge & 0x7FFF_FFFF) as u32]
     }
+
+    const fn border(&self) -> Border {
+        let [lesser, greater] = self.ends();
+        let ends = if self.net > 0 { [lesser, greater] } else { [greater, lesser] };
+        Border { ends, faces: self.net.unsigned_abs() }
+    }
 }
 
 /// An end of an edge: the vertex, the other one, what the edge adds there, and its index.
@@ -114,12 +133,11 @@ type End = (u32, u32, i32, u32);
 /// greater one.
 fn uneven<V: Vector>(
     mesh: &Mesh<V>,
-    shares: impl Iterator<Item = Share>,
+    shares: &[Share],
     weights: impl Fn(&Share) -> [i32; 2],
     is_even: impl Fn(i64) -> bool,
 ) -> Vec<Share> {
     let at = |vertex: u32| mesh.vertices()[vertex as usize].widen();
-    let shares: Vec<_> = shares.collect();
     let mut ends: Vec<End> = Vec::with_capacity(2 * shares.len());
     for (share, i) in shares.iter().zip(0..) {
         let ([lesser, greater], [first, second]) = (share.ends(), weights(share));
@@ -139,7 +157,7 @@ fn uneven<V: Vector>(
             }
         }
     }
-    shares.into_iter().zip(is_uneven).filter_map(|(share, is_uneven)| is_uneven.then_some(share)).collect()
+    shares.iter().zip(is_uneven).filter_map(|(&share, is_uneven)| is_uneven.then_some(share)).collect()
 }
 
 /// For each vertex, the first one of its coordinates.
@@ -177,11 +195,12 @@ fn first(faces: &[[u32; 3]], welded: &[u32], open: &[Share]) -> Option<OpenEdge>
     if open.is_empty() {
         return None;
     }
-    let counts: HashMap<_, _> = open.iter().map(|share| (share.edge, share.faces)).collect();
     faces.iter().enumerate().find_map(|(face, &corners)| {
         ends(corners).into_iter().find_map(|ends| {
-            let &faces = counts.get(&(packed(ends, welded)? >> 1))?;
-            Some(OpenEdge { face, ends, faces })
+            let edge = packed(ends, welded)? >> 1;
+            // They are sorted.
+            let at = open.binary_search_by_key(&edge, |share| share.edge).ok()?;
+            Some(OpenEdge { face, ends, faces: open[at].faces })
         })
     })
 }

@@ -43,12 +43,13 @@ mod search;
 mod solid;
 mod tracer;
 pub mod truth;
+mod winding;
 
 pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
 pub use binary::BinaryTracer;
 #[cfg(any(test, feature = "generate"))]
 pub use bounce::{bounce, cut, reflect, reflect_each};
-pub use boundary::{Boundary, OpenEdge};
+pub use boundary::{Border, Boundary, OpenEdge};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
 pub use counters::{Counters, WideCounters};
@@ -68,6 +69,7 @@ pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeS
 pub use solid::{Location, Rule, Solid, SolidError};
 pub use tracer::Tracer;
 pub use truth::{TrueHit, Truth};
+pub use winding::Winding;
 
 /// Where a ray meets a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::{Boundary, MeshQueries, RayQueries};
-use crate::geom::{Ray, RayError, Real as _, Vector};
+use super::{Boundary, MeshQueries, RayQueries, Winding};
+use crate::geom::{Mesh, Ray, RayError, Real as _, Vector};
 
 /// How crossings of a closed mesh tell inside from outside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -13,6 +13,8 @@ pub enum Rule {
     Parity,
     /// Points with a winding number other than 0 are inside. The mesh must be closed and oriented; overlapping parts unite.
     Nonzero,
+    /// Points with a [winding number](Winding) above 1/2 are inside, whatever the mesh. Where it has holes, this is a good guess.
+    Winding,
 }
 
 /// Where a point is.
@@ -30,14 +32,14 @@ pub enum Location {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SolidError {
     /// The mesh has an end.
-    #[error("the mesh is open: {}", describe(.0))]
+    #[error("the mesh is open: {}; rule `winding` fits", describe(.0))]
     Open(Boundary),
     /// The mesh is closed, but its faces do not have one orientation.
     #[error("the mesh is not oriented: faces run through {} edges more often in one direction than in the other; rule `parity` fits", .0.unpaired)]
     Unoriented(Boundary),
 }
 
-/// The solid that a closed mesh bounds, and exact answers about points.
+/// The solid that a mesh bounds, and answers about points: exact ones of closed meshes.
 ///
 /// ```
 /// use glam::Vec3;
@@ -45,42 +47,40 @@ pub enum SolidError {
 /// use stackless_bvh::trace::{Boundary, Location, Rule, Solid, Tracer};
 ///
 /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
-/// let tracer = Tracer::of(&mesh)?;
-/// let solid = Solid::new(&tracer, &Boundary::of(&mesh), Rule::Parity)?;
+/// let (tracer, boundary) = (Tracer::of(&mesh)?, Boundary::of(&mesh));
+/// let solid = Solid::new(&tracer, &mesh, &boundary, Rule::Parity)?;
 /// assert_eq!(solid.locate(Vec3::splat(0.1))?, Location::Inside);
 /// assert_eq!(solid.locate(mesh.vertices()[0])?, Location::Surface);
 /// assert_eq!(solid.locate(Vec3::splat(0.9))?, Location::Outside);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Solid<'t, T> {
+pub struct Solid<'t, T, V: Vector> {
     tracer: &'t T,
     rule: Rule,
+    winding: Winding<'t, T, V>,
 }
 
-impl<'t, T> Solid<'t, T> {
-    /// The solid of the mesh of a tracer by a rule; `boundary` must be that of the mesh.
+impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
+    /// The solid of a mesh by a rule; `tracer` and `boundary` must be made of the mesh.
     ///
     /// # Errors
     /// [`SolidError`] where the rule does not fit.
-    pub fn new(tracer: &'t T, boundary: &Boundary, rule: Rule) -> Result<Self, SolidError> {
-        if !boundary.is_closed() {
+    pub fn new(tracer: &'t T, mesh: &'t Mesh<V>, boundary: &'t Boundary, rule: Rule) -> Result<Self, SolidError> {
+        if rule != Rule::Winding && !boundary.is_closed() {
             return Err(SolidError::Open(boundary.clone()));
         }
         if rule == Rule::Nonzero && !boundary.is_oriented() {
             return Err(SolidError::Unoriented(boundary.clone()));
         }
-        Ok(Self { tracer, rule })
+        Ok(Self { tracer, rule, winding: Winding::new(tracer, mesh, boundary) })
     }
 
     /// Says where a point is, exactly. `[CLOSED-2]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.
-    pub fn locate<V: Vector>(&self, point: V) -> Result<Location, RayError>
-    where
-        T: RayQueries<Ray<V>> + MeshQueries<V>,
-    {
+    pub fn locate(&self, point: V) -> Result<Location, RayError> {
         let (zero, one) = (V::Real::ZERO, V::Real::ONE);
         let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(V::from_components);
         // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0 hits it.
@@ -93,6 +93,7 @@ impl<'t, T> Solid<'t, T> {
         let is_inside = match self.rule {
             Rule::Parity => self.tracer.crossings(&ray) % 2 == 1,
             Rule::Nonzero => self.tracer.winding(&ray) != 0,
+            Rule::Winding => self.winding.number(point)? > 0.5,
         };
         Ok(if is_inside { Location::Inside } else { Location::Outside })
     }

@@ -66,8 +66,12 @@ fn points_are_where_the_boxes_say<V: Precision>() {
                         boxes.iter().filter(|it| holds(it, 0)).count(),
                         boxes.iter().filter(|it| holds(it, 1)).count(),
                     );
-                    for rule in [Rule::Parity, Rule::Nonzero] {
-                        let is_inside = if rule == Rule::Parity { within % 2 == 1 } else { within > 0 };
+                    for rule in [Rule::Parity, Rule::Nonzero, Rule::Winding] {
+                        let is_inside = match rule {
+                            Rule::Parity => within % 2 == 1,
+                            Rule::Nonzero => within > 0,
+                            Rule::Winding => within > 0 && round % 2 == 0,
+                        };
                         let expected = match (near > within, is_inside) {
                             (true, _) => Location::Surface,
                             (false, true) => Location::Inside,
@@ -77,8 +81,8 @@ fn points_are_where_the_boxes_say<V: Precision>() {
                         counts[3] += usize::from(within > 1);
                         let at = V::from(Vec3::from(point.map(|x| x as f32)));
                         let located = [
-                            Solid::new(&wide, &boundary, rule).expect("closed").locate(at),
-                            Solid::new(&binary, &boundary, rule).expect("closed").locate(at),
+                            Solid::new(&wide, &mesh, &boundary, rule).expect("closed").locate(at),
+                            Solid::new(&binary, &mesh, &boundary, rule).expect("closed").locate(at),
                         ];
                         assert_eq!(located, [Ok(expected); 2], "{boxes:?} {point:?} {rule:?}");
                     }
@@ -104,11 +108,12 @@ fn a_rule_that_does_not_fit_says_why() {
     let whole = faces([[0; 3], [2; 3]], 6);
     let refused = |faces: &[_], rule| {
         let mesh: Mesh = mesh(faces);
-        let tracer = Tracer::of(&mesh).expect("a tree");
-        Solid::new(&tracer, &Boundary::of(&mesh), rule).map_err(|error| error.to_string()).err()
+        let (tracer, boundary) = (Tracer::of(&mesh).expect("a tree"), Boundary::of(&mesh));
+        assert!(Solid::new(&tracer, &mesh, &boundary, Rule::Winding).is_ok());
+        Solid::new(&tracer, &mesh, &boundary, rule).map_err(|error| error.to_string()).err()
     };
     assert_eq!(refused(&whole, Rule::Nonzero), None);
-    let open = "the mesh is open: 3 edges are covered an odd number of times, first that of faces[0] from vertex 0 to vertex 1";
+    let open = "the mesh is open: 3 edges are covered an odd number of times, first that of faces[0] from vertex 0 to vertex 1; rule `winding` fits";
     assert_eq!(refused(&whole[1..], Rule::Parity).as_deref(), Some(open));
     let mut turned = whole;
     turned[3].swap(0, 1);
@@ -120,7 +125,7 @@ fn a_rule_that_does_not_fit_says_why() {
 #[test]
 fn points_that_are_no_numbers_are_refused() {
     let mesh: Mesh = mesh(&faces([[0; 3], [2; 3]], 6));
-    let tracer = Tracer::of(&mesh).expect("a tree");
-    let solid = Solid::new(&tracer, &Boundary::of(&mesh), Rule::default()).expect("closed");
+    let (tracer, boundary) = (Tracer::of(&mesh).expect("a tree"), Boundary::of(&mesh));
+    let solid = Solid::new(&tracer, &mesh, &boundary, Rule::default()).expect("closed");
     assert!(matches!(solid.locate(Vec3::new(1.0, f32::NAN, 0.0)), Err(RayError::Origin(_))));
 }
