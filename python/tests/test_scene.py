@@ -118,7 +118,8 @@ def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
             with pytest.raises(ValueError, match=wrong):
                 repeated.contains([0, 0, 0])
         else:
-            assert np.array_equal(repeated.contains(random), soup.contains(random))
+            with pytest.warns(UserWarning, match="2 of the faces repeat"):
+                assert np.array_equal(repeated.contains(random), soup.contains(random))
     # The inner one of two spheres is a hole.
     hollow = Scene(np.concatenate([vertices, vertices / 2]), np.concatenate([faces, faces + len(vertices)]))
     assert hollow.contains([[0, 0, 0], [0, 0, 0.75], [0, 0, 1], [0, 0, 0.5], [0, 0, 2]]).tolist() == [

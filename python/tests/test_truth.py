@@ -1,6 +1,7 @@
 """Every query against rational arithmetic, on meshes and rays that hypothesis draws."""
 
 import numpy as np
+import pytest
 import oracle
 from hypothesis import given
 from hypothesis import strategies as st
@@ -85,6 +86,7 @@ def tetrahedra(draw):
     return np.array(vertices), np.array(faces), np.array(origins), np.array(directions)
 
 
+@pytest.mark.filterwarnings("ignore:.* of the faces repeat earlier ones")
 @given(tetrahedra(), DTYPES, BUILDS)
 def test_crossings_and_inside_are_those_of_a_ray_moved_by_very_little(mesh, dtype, build):
     vertices, faces, origins, directions = mesh
