@@ -1,8 +1,8 @@
 """Every query against rational arithmetic, on meshes and rays that hypothesis draws."""
 
 import numpy as np
-import pytest
 import oracle
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
