@@ -81,14 +81,15 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn number(&self, point: V) -> Result<f64, RayError> {
-        let mut best = (Fan { number: 0.0, error: f64::INFINITY }, DIRECTIONS[0]);
-        for e in DIRECTIONS {
-            let fan = self.fan(point.widen(), DVec3::from(e.map(f64::from)).normalize());
-            if fan.error < best.0.error {
-                best = (fan, e);
-            }
+        let fan = |e: [i8; 3]| self.fan(point.widen(), DVec3::from(e.map(f64::from)).normalize());
+        let mut best = (fan(DIRECTIONS[0]), DIRECTIONS[0]);
+        for e in &DIRECTIONS[1..] {
             if best.0.error <= TOLERANCE {
                 break;
+            }
+            let next = fan(*e);
+            if next.error < best.0.error {
+                best = (next, *e);
             }
         }
         let (fan, e) = best;
