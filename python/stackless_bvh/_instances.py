@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import array_of, numbers, rays
+from ._inside import Progress
 from ._native import Instances as NativeInstances
 from ._results import Hits
-from ._scene import Progress, Scene
+from ._scene import Scene
 
 
 @dataclass(frozen=True)

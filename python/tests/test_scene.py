@@ -264,7 +264,7 @@ def test_the_scene_says_what_it_is(dtype):
     assert scene.dtype == dtype and scene.nbytes > 32 * 9 * np.dtype(dtype).itemsize
 
 
-@pytest.mark.parametrize("module", ["", "_instances", "_scene"])
+@pytest.mark.parametrize("module", ["", "_inside", "_instances", "_scene"])
 def test_examples_of_docstrings(module, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     module = getattr(stackless_bvh, module, stackless_bvh)
