@@ -151,5 +151,5 @@ fn double_precision_is_timed_in_all_places() {
     lab("bench soup --count 100 --rounds 1 --method wide-record --one-by-one --double --json", &[&json]).passes();
     let rows = read_json(&json)["rows"].as_array().unwrap().clone();
     let names: Vec<_> = rows.iter().take(8).map(|row| row["method"].as_str().unwrap()).collect();
-    assert_eq!(names[..4], ["stack", "wide-record", "f64", "f64 at 6.4e6"]);
+    assert_eq!(names[..4], ["stack", "wide-record", "wide-record-f64", "f64 at 6.4e6"]);
 }
