@@ -32,7 +32,7 @@ use crate::threads;
 /// assert!(Boundary::of(&cut).is_closed() && Boundary::of(&cut).is_oriented());
 /// let open = Mesh::new(corners, vec![[4, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
 /// let boundary = Boundary::of(&open);
-/// assert_eq!((boundary.open, boundary.first.map(|edge| edge.face)), (3, Some(0)));
+/// assert_eq!((boundary.open, boundary.first.map(|edge| edge.face)), (4, Some(0)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
