@@ -24,7 +24,7 @@ def contains(points, scene):
 
 
 def which(points, scene):
-    """The process, and the scene in its memory, that a block of points is asked of."""
+    """The process that answers a block of points, and the scene in its memory."""
     return np.array([[os.getpid(), id(scene)]])
 
 

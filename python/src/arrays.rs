@@ -58,7 +58,7 @@ impl<'py, S: Space> Rays<'py, S> {
     }
 }
 
-/// Where the memory of an array is: `resize(refcheck=False)` moves it under all views, which nothing else tells.
+/// The address of an array. `resize(refcheck=False)` moves an array under all its views, and NumPy does not report it.
 pub(crate) struct Place<'py> {
     name: &'static str,
     /// The array that has the memory, of which the other may be a view.
@@ -74,7 +74,7 @@ impl Place<'_> {
     }
 }
 
-/// The places of arrays of so many rows, if there are more of them than are read at once: in between Python runs.
+/// Records the places of arrays with `count` rows. Python runs between pieces, so one piece needs no record.
 pub(crate) fn places<'py, const N: usize>(
     count: usize,
     arrays: [&Bound<'py, PyAny>; N],

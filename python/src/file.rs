@@ -23,7 +23,7 @@ const MAGIC: &[u8; 8] = b"SBVHMESH";
 const VERSION: u32 = 1;
 const HEADER_BYTES: usize = 32;
 
-/// What a file that is written or read tells of it: per cent.
+/// Steps that reading or writing a file reports: per cent.
 pub(crate) const STEPS: usize = 100;
 
 /// Writes bytes to a file, whole or not at all.

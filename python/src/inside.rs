@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use stackless_bvh::geom::{Mesh, Ray, Vector, check_environment};
-use stackless_bvh::trace::{Boundary, Rule};
+use stackless_bvh::geom::{Mesh, Vector, check_environment};
+use stackless_bvh::trace::{Boundary, Location, Rule};
 
 use crate::arrays::{check_places, places, points, row_of};
 use crate::batch::in_pieces;
-use crate::errors::{failed, listed, of_ray, refused};
+use crate::errors::{failed, listed, refused};
 use crate::memory::room;
 use crate::queries::Progress;
-use crate::space::{Coordinate, Space};
+use crate::space::Space;
 use crate::threads::{FEW, Threads, of_chunks};
 
 /// A mesh, its hierarchy and its boundary.
@@ -27,7 +27,14 @@ pub(crate) fn contains<'py, S: Space>(
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
     let outside = (rule != Rule::Winding).then_some(false);
-    of_points(py, solid, points, outside, |points| inside_of(solid, points, rule, surface), progress)
+    let is_in = |location| match location {
+        Location::Inside => true,
+        Location::Surface => surface,
+        Location::Outside => false,
+    };
+    let (mesh, bvh, boundary) = solid;
+    let answer = |points: &[_]| Ok(bvh.locate(mesh, boundary, rule, points)?.into_iter().map(is_in).collect());
+    of_points::<S, _>(py, mesh, points, outside, answer, progress)
 }
 
 /// The winding number of each point; of one on a face that of one of its sides.
@@ -37,14 +44,15 @@ pub(crate) fn winding_numbers<'py, S: Space>(
     points: &Bound<'py, PyAny>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let outside = solid.2.is_oriented().then_some(0.0);
-    of_points(py, solid, points, outside, |points| windings(solid, points), progress)
+    let (mesh, bvh, boundary) = solid;
+    let outside = boundary.is_oriented().then_some(0.0);
+    of_points::<S, _>(py, mesh, points, outside, |points| bvh.windings(mesh, boundary, points), progress)
 }
 
 /// An answer for each point. Those outside of the box of the mesh need no ray, if it is known what they are.
 fn of_points<'py, S: Space, A: Copy + Default + Send + numpy::Element>(
     py: Python<'py>,
-    (mesh, ..): Solid<'_, S>,
+    mesh: &Mesh<S::Vector>,
     array: &Bound<'py, PyAny>,
     outside: Option<A>,
     answer: impl Fn(&[(usize, S::Vector)]) -> PyResult<Vec<A>> + Sync,
@@ -76,7 +84,11 @@ fn of_points<'py, S: Space, A: Copy + Default + Send + numpy::Element>(
     };
     let answer = |(count, inside_box): (usize, Vec<(usize, S::Vector)>)| {
         let mut answers = vec![outside.unwrap_or_default(); count];
-        for ((i, _), found) in inside_box.iter().zip(answer(&inside_box)?) {
+        let found = of_chunks(&inside_box, FEW, |points| {
+            check_environment().map_err(failed)?;
+            answer(points)
+        });
+        for ((i, _), found) in inside_box.iter().zip(found?.into_iter().flatten()) {
             answers[*i] = found;
         }
         Ok(answers)
@@ -88,50 +100,6 @@ fn of_points<'py, S: Space, A: Copy + Default + Send + numpy::Element>(
     };
     in_pieces(py, (array.nrows(), FEW), progress, read, answer, keep)?;
     Ok(found.into_pyarray(py))
-}
-
-/// As `Solid::locate` of the library, for many points at once.
-fn inside_of<S: Space>(
-    solid: Solid<'_, S>,
-    points: &[(usize, S::Vector)],
-    rule: Rule,
-    surface: bool,
-) -> PyResult<Vec<bool>> {
-    let (_, bvh, _) = solid;
-    let mut inside: Vec<_> = match rule {
-        Rule::Parity => {
-            let rays = rays_along::<S>(points, 0, <S::Real as Coordinate>::INFINITY)?;
-            bvh.crossings(&rays).map_err(failed)?.into_iter().map(|count| count % 2 == 1).collect()
-        }
-        Rule::Nonzero => windings(solid, points)?.into_iter().map(|number| number != 0.0).collect(),
-        Rule::Winding => windings(solid, points)?.into_iter().map(|number| number > 0.5).collect(),
-    };
-    for axis in 0..3 {
-        let is_on = bvh.any(&rays_along::<S>(points, axis, S::Real::ZERO)?).map_err(failed)?;
-        inside.iter_mut().zip(is_on).filter(|(_, is_on)| *is_on).for_each(|(inside, _)| *inside = surface);
-    }
-    Ok(inside)
-}
-
-fn windings<S: Space>((mesh, bvh, boundary): Solid<'_, S>, points: &[(usize, S::Vector)]) -> PyResult<Vec<f64>> {
-    let chunks = of_chunks(points, FEW, |points| {
-        check_environment().map_err(failed)?;
-        points
-            .iter()
-            .map(|&(i, point)| bvh.winding(mesh, boundary, point).map_err(|error| of_ray(error, i)))
-            .collect::<PyResult<Vec<_>>>()
-    });
-    Ok(chunks?.into_iter().flatten().collect())
-}
-
-/// Rays from points along an axis.
-fn rays_along<S: Space>(points: &[(usize, S::Vector)], axis: usize, tmax: S::Real) -> PyResult<Vec<Ray<S::Vector>>> {
-    let mut direction = [S::Real::ZERO; 3];
-    direction[axis] = S::Real::ONE;
-    let ray = |&(i, point)| {
-        Ray::within(point, S::Vector::from_components(direction), S::Real::ZERO, tmax).map_err(|error| of_ray(error, i))
-    };
-    points.iter().map(ray).collect()
 }
 
 /// The box of the vertices.

@@ -143,7 +143,7 @@ fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V:
 /// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
 pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
 
-/// The `k` nearest triangles of each point, of a mesh of so many `faces`.
+/// Finds the `k` nearest triangles of each point. The mesh has `faces` triangles.
 pub(crate) fn nearest<'py, S: Space>(
     py: Python<'py>,
     (bvh, faces): (&S, usize),
@@ -226,7 +226,7 @@ impl<R: Coordinate> Found<R> {
         Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(count)? })
     }
 
-    /// Makes room for so many more.
+    /// Reserves room for `count` more.
     fn reserve(&mut self, count: usize) -> PyResult<()> {
         reserve(&mut self.t, count)?;
         reserve(&mut self.primitive, count)?;

@@ -6,10 +6,10 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, RayError, Vector};
-use stackless_bvh::trace::{Boundary, Hit, MeshQueries, Near, RayQueries, Tracer, Winding};
+use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
+use stackless_bvh::trace::{Boundary, Hit, Location, MeshQueries, Near, RayQueries, Rule, Solid, Tracer, Winding};
 
-use crate::errors::{failed, of_refit, refused};
+use crate::errors::{failed, of_ray, of_refit, refused};
 use crate::memory;
 
 /// A coordinate that arrays hold.
@@ -18,8 +18,6 @@ pub(crate) trait Coordinate: Element + Copy + Into<f64> {
     const INFINITY: Self;
     /// A weight or a coordinate where there is none.
     const NAN: Self;
-    const ZERO: Self;
-    const ONE: Self;
     /// 1 and 0 apart from a number nearer than this may be rounded: the exact weights are to be asked.
     const NEAR: Self;
 }
@@ -27,16 +25,12 @@ pub(crate) trait Coordinate: Element + Copy + Into<f64> {
 impl Coordinate for f32 {
     const INFINITY: Self = f32::INFINITY;
     const NAN: Self = f32::NAN;
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
     const NEAR: Self = 4.0 * f32::EPSILON;
 }
 
 impl Coordinate for f64 {
     const INFINITY: Self = f64::INFINITY;
     const NAN: Self = f64::NAN;
-    const ZERO: Self = 0.0;
-    const ONE: Self = 1.0;
     const NEAR: Self = 4.0 * f64::EPSILON;
 }
 
@@ -66,7 +60,21 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
     fn all(&self, ray: &Ray<Self::Vector>) -> Vec<Hit<Self::Real>>;
     fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
-    fn winding(&self, mesh: &Mesh<Self::Vector>, boundary: &Boundary, point: Self::Vector) -> Result<f64, RayError>;
+    /// Where points are; each comes with its row.
+    fn locate(
+        &self,
+        mesh: &Mesh<Self::Vector>,
+        boundary: &Boundary,
+        rule: Rule,
+        points: &[(usize, Self::Vector)],
+    ) -> PyResult<Vec<Location>>;
+    /// Their winding numbers.
+    fn windings(
+        &self,
+        mesh: &Mesh<Self::Vector>,
+        boundary: &Boundary,
+        points: &[(usize, Self::Vector)],
+    ) -> PyResult<Vec<f64>>;
     fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
@@ -132,8 +140,22 @@ where
         Tracer::new(self).crossings_parallel(rays)
     }
 
-    fn winding(&self, mesh: &Mesh<V>, boundary: &Boundary, point: V) -> Result<f64, RayError> {
-        Winding::new(&Tracer::new(self), mesh, boundary).number(point)
+    fn locate(
+        &self,
+        mesh: &Mesh<V>,
+        boundary: &Boundary,
+        rule: Rule,
+        points: &[(usize, V)],
+    ) -> PyResult<Vec<Location>> {
+        let tracer = Tracer::new(self);
+        let solid = Solid::new(&tracer, mesh, boundary, rule).map_err(refused)?;
+        points.iter().map(|&(row, point)| solid.locate(point).map_err(|error| of_ray(error, row))).collect()
+    }
+
+    fn windings(&self, mesh: &Mesh<V>, boundary: &Boundary, points: &[(usize, V)]) -> PyResult<Vec<f64>> {
+        let tracer = Tracer::new(self);
+        let winding = Winding::new(&tracer, mesh, boundary);
+        points.iter().map(|&(row, point)| winding.number(point).map_err(|error| of_ray(error, row))).collect()
     }
 
     fn nearest(&self, balls: &[Ball<V>]) -> Answers<Option<Near<V>>> {

@@ -7,6 +7,7 @@ use std::marker::PhantomData;
 
 use super::cast::Cast;
 use super::level::Level;
+use super::memory::lend;
 use super::{
     Ask, Asked, BoxQuery, Crossings, Following, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints,
     NodeSearch, OwnBoxes, Part, Plan, RayQueries, Sweep,
@@ -176,7 +177,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         answer: impl FnOnce(&NodeSearch<'a, K, B, false>) -> A,
     ) -> A {
         let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        with_memory(|memory| self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search));
+        lend(&MEMORY, |memory| self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search));
         answer(&search)
     }
 
@@ -188,14 +189,14 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         answer: impl FnOnce(&NodeSearch<'a, K, B, true, FromLeft>) -> A,
     ) -> A {
         let mut search = NodeSearch::new(self.bvh(), &self.level.boxes, ray);
-        with_memory(|memory| self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search));
+        lend(&MEMORY, |memory| self.level.run(self.bvh().tree(), ray.octant(), memory, &mut search));
         answer(&search)
     }
 
     /// Runs a rare query to its end.
     fn run_shared<Q: BoxQuery>(&self, octant: u8, query: Q) -> Q {
         let mut search = OwnBoxes::over(query, &self.level.boxes);
-        with_memory(|memory| self.level.run_shared(self.bvh().tree(), octant, memory, &mut search));
+        lend(&MEMORY, |memory| self.level.run_shared(self.bvh().tree(), octant, memory, &mut search));
         search.query
     }
 
@@ -254,17 +255,9 @@ where
     }
 }
 
-/// Lends the stack of this thread: to allocate one for each ray would cost a traversal with a stack a tenth of its time.
-#[inline]
-fn with_memory<R>(run: impl FnOnce(&mut Vec<Node>) -> R) -> R {
-    thread_local! {
-        static MEMORY: Cell<Vec<Node>> = const { Cell::new(Vec::new()) };
-    }
-    let mut memory = MEMORY.try_with(Cell::take).unwrap_or_default();
-    let ran = run(&mut memory);
-    // A thread that ends keeps nothing any more.
-    _ = MEMORY.try_with(|kept| kept.set(memory));
-    ran
+thread_local! {
+    /// The stack of a traversal.
+    static MEMORY: Cell<Vec<Node>> = const { Cell::new(Vec::new()) };
 }
 
 impl<T, K, B> fmt::Debug for BinaryTracer<T, K, B> {

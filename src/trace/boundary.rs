@@ -2,17 +2,17 @@
 //!
 //! # Idea
 //!
-//! The edges of all faces, each with the number of faces that run through it, are a chain. A surface is closed if the chain
-//! covers each point of each edge an even number of times, wherever the vertices are: a vertex may lie in the middle of a
-//! neighbour's edge (a T-junction). On one line, a bounded chain covers every point an even number of times exactly if every
-//! point is the end of an even number of its edges. So it is enough to look at each vertex, and to sort the edges that end there by
-//! their lines. The same holds with signs: a surface is oriented if the edges cover every point equally often in both
-//! directions. `[CLOSED-1]`
+//! The edges of all faces, each with the number of faces that run through it, are a chain. A surface is closed if the
+//! chain covers each point of each edge an even number of times, wherever the vertices are: a vertex may lie in the
+//! middle of a neighbour's edge (a T-junction). On one line, a bounded chain covers every point an even number of times
+//! exactly if every point is the end of an even number of its edges. So it is enough to look at each vertex, and to
+//! sort the edges that end there by their lines. The same holds with signs: a surface is oriented if the edges cover
+//! every point equally often in both directions. `[CLOSED-1]`
 //!
 //! # Cost
 //!
-//! Two sorts, of vertices by coordinates and of edges by ends. Lines are compared only for edges that an odd number of faces
-//! share, exactly.
+//! Two sorts, of vertices by coordinates and of edges by ends. Lines are compared only for edges that an odd number of
+//! faces share, exactly.
 
 use std::cmp::Ordering;
 
@@ -129,8 +129,8 @@ impl Share {
 /// An end of an edge: the vertex, the other one, what the edge adds there, and its index.
 type End = (u32, u32, i32, u32);
 
-/// The edges with an end at which what the edges of their line add is not even. `weights` are those at the lesser end and at the
-/// greater one.
+/// The edges with an end at which what the edges of their line add is not even. `weights` are those at the lesser end
+/// and at the greater one.
 fn uneven<V: Vector>(
     mesh: &Mesh<V>,
     shares: &[Share],

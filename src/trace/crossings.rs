@@ -172,8 +172,8 @@ impl<'a, K: Parity, B, H: Held<K::Shape>> Crossings<'a, K, B, H> {
         Self { winding: Some(0), ..self }
     }
 
-    /// How often the ray leaves the solid, less how often it enters: the winding number of its origin, if the mesh is closed
-    /// and oriented, the ray has no end, and its origin is not on the mesh. `[PARITY-1]`
+    /// How often the ray leaves the solid, less how often it enters: the winding number of its origin, if the mesh is
+    /// closed and oriented, the ray has no end, and its origin is not on the mesh. `[PARITY-1]`
     pub(super) fn winding(&self) -> i32 {
         self.winding.unwrap_or(0)
     }

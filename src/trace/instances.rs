@@ -10,8 +10,8 @@
 //! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are
 //! written, and the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
 //! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked.
-//! Else images of the triangle's corners are made, with twice the digits of a double. Where these leave it open too, exact
-//! ones are made, which takes some thousand times as long. `[INST-5]`
+//! Else images of the triangle's corners are made, with twice the digits of a double. Where these leave it open too,
+//! exact ones are made, which takes some thousand times as long. `[INST-5]`
 
 mod assembly;
 mod walk;
@@ -289,8 +289,8 @@ impl<V: Vector> InstanceTracer<V> {
         }
     }
 
-    /// A ray from afar, from where it enters the region of an object; `None` if it misses that. Where doubles do not tell,
-    /// the ray itself is asked. `[INST-7]`
+    /// A ray from afar, from where it enters the region of an object; `None` if it misses that. Where doubles do not
+    /// tell, the ray itself is asked. `[INST-7]`
     #[cold]
     #[inline(never)]
     fn approach(&self, ray: &EnclosedRay, region: &Region, search: &Search<'_, V>) -> Option<EnclosedRay> {
@@ -320,8 +320,8 @@ impl<V: Vector> InstanceTracer<V> {
     }
 }
 
-/// The closest hit has the least exact distance, of equal ones the least path, and of these the least triangle. `[INST-6]` A
-/// ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
+/// The closest hit has the least exact distance, of equal ones the least path, and of these the least triangle.
+/// `[INST-6]` A ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
 impl<V: Vector, R: Sync> RayQueries<R> for InstanceTracer<V>
 where
     for<'r> &'r R: Into<ExactRay<V>>,

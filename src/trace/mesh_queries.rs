@@ -4,12 +4,13 @@ use super::ray_queries::in_parallel;
 use super::{Hit, Near};
 use crate::geom::{Ball, EnvironmentError, Ray, Vector};
 
-/// Queries of a mesh of precision `V`, in the forms of [`RayQueries`](super::RayQueries): for one ray or ball, for a slice
-/// on this thread (`_each`), and for a slice on all threads (`_parallel`).
+/// Queries of a mesh of precision `V`, in the forms of [`RayQueries`](super::RayQueries): for one ray or ball, for a
+/// slice on this thread (`_each`), and for a slice on all threads (`_parallel`).
 pub trait MeshQueries<V: Vector> {
-    /// Finds the first hit after a given one (`t`, primitive), in the order of [`all`](super::RayQueries::all). So a caller
-    /// can walk through hits one by one: no hit is lost or met again, not even where many have the same `t`. If the ray
-    /// does not hit the given triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
+    /// Finds the first hit after a given one (`t`, primitive), in the order of [`all`](super::RayQueries::all). So a
+    /// caller can walk through hits one by one: no hit is lost or met again, not even where many have the same `t`. If
+    /// the ray does not hit the given triangle at a distance that rounds to `t`, hits after `t` itself count.
+    /// `[EXACT-13]`
     ///
     /// ```
     /// # use glam::Vec3;
@@ -47,9 +48,9 @@ pub trait MeshQueries<V: Vector> {
     /// ```
     fn crossings(&self, ray: &Ray<V>) -> u32;
 
-    /// Counts how often the ray leaves the solid of a closed, oriented mesh, less how often it enters: the winding number of
-    /// its origin, if the ray has no end and the origin is not on the mesh. Faces are seen counterclockwise from outside.
-    /// `[PARITY-1]`
+    /// Counts how often the ray leaves the solid of a closed, oriented mesh, less how often it enters: the winding
+    /// number of its origin, if the ray has no end and the origin is not on the mesh. Faces are seen counterclockwise
+    /// from outside. `[PARITY-1]`
     ///
     /// ```
     /// use glam::Vec3;
@@ -60,7 +61,8 @@ pub trait MeshQueries<V: Vector> {
     /// let [one, other] = [spheres[0].clone()?, spheres[1].clone()?];
     /// let corners = one.vertices().len() as u32;
     /// let faces = other.triangles().iter().map(|face| face.map(|corner| corner + corners));
-    /// let both = Mesh::new([one.vertices(), other.vertices()].concat(), one.triangles().iter().copied().chain(faces).collect())?;
+    /// let faces = one.triangles().iter().copied().chain(faces).collect();
+    /// let both = Mesh::new([one.vertices(), other.vertices()].concat(), faces)?;
     /// let tracer = Tracer::of(&both)?;
     /// let around = |x| Ray::new(Vec3::X * x, Vec3::Y).map(|ray| tracer.winding(&ray));
     /// assert_eq!([around(0.25)?, around(-0.75)?, around(2.0)?], [2, 1, 0]);
@@ -68,12 +70,12 @@ pub trait MeshQueries<V: Vector> {
     /// ```
     fn winding(&self, ray: &Ray<V>) -> i32;
 
-    /// Finds the point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]` Exact, whatever
-    /// the tests for rays are.
+    /// Finds the point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]` Exact,
+    /// whatever the tests for rays are.
     fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>>;
 
-    /// Finds the `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many as
-    /// there are in the ball. `[NEAR-2]`
+    /// Finds the `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many
+    /// as there are in the ball. `[NEAR-2]`
     ///
     /// ```
     /// use glam::DVec3;

@@ -33,6 +33,7 @@ mod forms;
 mod held;
 mod instances;
 mod level;
+mod memory;
 mod mesh_queries;
 mod nearest;
 mod next;

@@ -40,7 +40,8 @@ pub trait RayQueries<R: Sync> {
     /// Finds any hit: the first that the traversal meets, which depends on the hierarchy.
     fn any_hit(&self, ray: &R) -> Option<Self::Hit>;
 
-    /// Finds all hits, each triangle once, in the order of exact distance and then of index: edges and corners included.
+    /// Finds all hits, each triangle once, in the order of exact distance and then of index: edges and corners
+    /// included.
     fn all(&self, ray: &R) -> Vec<Self::Hit>;
 
     /// Finds the [`closest`](Self::closest) hit of each ray, on this thread.

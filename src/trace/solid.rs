@@ -1,8 +1,6 @@
 //! Inside and outside: which points are in the solid that a closed mesh bounds.
 
-use std::fmt;
-
-use super::{Boundary, MeshQueries, RayQueries, Winding};
+use super::{Boundary, MeshQueries, OpenEdge, RayQueries, Winding};
 use crate::geom::{Mesh, Ray, RayError, Real as _, Vector};
 
 /// How crossings of a closed mesh tell inside from outside.
@@ -11,9 +9,11 @@ pub enum Rule {
     /// Points with an odd number of crossings are inside. The mesh must be closed; overlapping parts cancel out.
     #[default]
     Parity,
-    /// Points with a winding number other than 0 are inside. The mesh must be closed and oriented; overlapping parts unite.
+    /// Points with a winding number other than 0 are inside. The mesh must be closed and oriented; overlapping parts
+    /// unite.
     Nonzero,
-    /// Points with a [winding number](Winding) above 1/2 are inside, whatever the mesh. Where it has holes, this is a good guess.
+    /// Points with a [winding number](Winding) above 1/2 are inside, whatever the mesh. Where it has holes, this is a
+    /// good guess.
     Winding,
 }
 
@@ -32,11 +32,18 @@ pub enum Location {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SolidError {
     /// The mesh has an end.
-    #[error("the mesh is open: {}; rule `winding` fits", describe(.0))]
-    Open(Boundary),
+    #[error("the mesh is open: {count} edges are covered an odd number of times{}; rule `winding` fits", named(*.first))]
+    Open {
+        /// How many edges are open.
+        count: usize,
+        /// An open edge of the first face that has one.
+        first: Option<OpenEdge>,
+    },
     /// The mesh is closed, but its faces do not have one orientation.
-    #[error("the mesh is not oriented: faces run through {} edges more often in one direction than in the other; rule `parity` fits", .0.unpaired)]
-    Unoriented(Boundary),
+    #[error(
+        "the mesh is not oriented: faces run through {0} edges more often in one direction than in the other; rule `parity` fits"
+    )]
+    Unoriented(usize),
 }
 
 /// The solid that a mesh bounds, and answers about points: exact ones of closed meshes.
@@ -68,10 +75,10 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// [`SolidError`] where the rule does not fit.
     pub fn new(tracer: &'t T, mesh: &'t Mesh<V>, boundary: &'t Boundary, rule: Rule) -> Result<Self, SolidError> {
         if rule != Rule::Winding && !boundary.is_closed() {
-            return Err(SolidError::Open(boundary.clone()));
+            return Err(SolidError::Open { count: boundary.open, first: boundary.first });
         }
         if rule == Rule::Nonzero && !boundary.is_oriented() {
-            return Err(SolidError::Unoriented(boundary.clone()));
+            return Err(SolidError::Unoriented(boundary.unpaired));
         }
         Ok(Self { tracer, rule, winding: Winding::new(tracer, mesh, boundary) })
     }
@@ -83,7 +90,8 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     pub fn locate(&self, point: V) -> Result<Location, RayError> {
         let (zero, one) = (V::Real::ZERO, V::Real::ONE);
         let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(V::from_components);
-        // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0 hits it.
+        // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0 hits
+        // it.
         for axis in axes {
             if self.tracer.any(&Ray::within(point, axis, zero, zero)?) {
                 return Ok(Location::Surface);
@@ -99,11 +107,10 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     }
 }
 
-fn describe(boundary: &Boundary) -> impl fmt::Display {
-    let edge = boundary.first.map(|edge| {
-        format!(", first that of faces[{}] from vertex {} to vertex {}", edge.face, edge.ends[0], edge.ends[1])
-    });
-    format!("{} edges are covered an odd number of times{}", boundary.open, edge.unwrap_or_default())
+fn named(edge: Option<OpenEdge>) -> String {
+    edge.map_or_else(String::new, |OpenEdge { face, ends: [from, to], .. }| {
+        format!(", first that of faces[{face}] from vertex {from} to vertex {to}")
+    })
 }
 
 #[cfg(test)]

@@ -2,17 +2,19 @@
 //!
 //! # Idea
 //!
-//! The winding number of a surface S about a point q is the solid angle that S spans as seen from q, over 4π. The number of times that S
-//! covers a direction changes only across the border of S, by 1. The fan of triangles from the direction -e to all edges of the border has the
-//! same border, and does not cover e. So the two differ by a constant, the number of signed crossings of the ray from q along e:
+//! The winding number of a surface S about a point q is the solid angle that S spans as seen from q, over 4π. The
+//! number of times that S covers a direction changes only across the border of S, by 1. The fan of triangles from the
+//! direction -e to all edges of the border has the same border, and does not cover e. So the two differ by a constant,
+//! the number of signed crossings of the ray from q along e:
 //!
 //! ```text
 //! winding(q) = crossings(q, e) + 1/(4π) · sum of solid_angle(-e, a - q, b - q) over the edges (a, b) of the border
 //! ```
 //!
-//! The crossings are exact, so a mesh without a border has exact integers. The sum takes one arc tangent for each edge of the border (Van
-//! Oosterom & Strackee 1983, "The solid angle of a plane triangle"), however many triangles there are: a hierarchy of dipoles (Barill et
-//! al. 2018, "Fast winding numbers for soups and clouds") approximates all triangles instead. `[WINDING-1]`
+//! The crossings are exact, so a mesh without a border has exact integers. The sum takes one arc tangent for each edge
+//! of the border (Van Oosterom & Strackee 1983, "The solid angle of a plane triangle"), however many triangles there
+//! are: a hierarchy of dipoles (Barill et al. 2018, "Fast winding numbers for soups and clouds") approximates all
+//! triangles instead. `[WINDING-1]`
 
 use std::f64::consts::PI;
 
@@ -23,8 +25,8 @@ use crate::geom::{Mesh, Ray, RayError, Real as _, Vector};
 
 /// The winding numbers of a mesh: about how often its surface winds around a point.
 ///
-/// In a closed mesh whose faces are seen counterclockwise from outside it is 1 inside and 0 outside. A hole changes it by the part of
-/// the view that the hole takes up. Of a point on the surface it is that of one side.
+/// In a closed mesh whose faces are seen counterclockwise from outside it is 1 inside and 0 outside. A hole changes it
+/// by the part of the view that the hole takes up. Of a point on the surface it is that of one side.
 ///
 /// ```
 /// use glam::DVec3;
@@ -50,8 +52,8 @@ pub struct Winding<'t, T, V: Vector> {
 /// The error that a number may have where one of the directions allows it. `[WINDING-2]`
 const TOLERANCE: f64 = 1e-9;
 
-/// Directions of rays, which are tried one after the other. The first are fast, and meet the edges of boxes; the last meet what no one
-/// draws.
+/// Directions of rays, which are tried one after the other. The first are fast, and meet the edges of boxes; the last
+/// meet what no one draws.
 const DIRECTIONS: [[i8; 3]; 12] = [
     [1, 0, 0],
     [0, 1, 0],
@@ -75,8 +77,8 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
 
     /// The winding number of a point: without an error for a mesh without a border.
     ///
-    /// Otherwise its error is below 1e-9, unless the point is next to an edge of the border: so near that it sees the ends of the
-    /// edge under 180 degrees, within some 1e-5. There the number itself jumps. `[WINDING-2]`
+    /// Otherwise its error is below 1e-9, unless the point is next to an edge of the border: so near that it sees the
+    /// ends of the edge under 180 degrees, within some 1e-5. There the number itself jumps. `[WINDING-2]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.

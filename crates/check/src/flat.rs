@@ -113,7 +113,7 @@ pub fn check_instances<V: Vector>(
     check_answer(tracer, &flat.all(ray), ray)
 }
 
-/// The same where all hits are known, in order.
+/// Compares all queries of a ray with its expected hits, which are sorted.
 ///
 /// # Errors
 /// The first answer that is wrong.

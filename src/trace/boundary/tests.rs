@@ -8,8 +8,8 @@ use crate::geom::Mesh;
 
 type Point = [i32; 3];
 
-/// How often each piece of an edge between two neighbours on its line is run through, forward and backward: by looking at every
-/// point of the mesh.
+/// How often each piece of an edge between two neighbours on its line is run through, forward and backward: by looking
+/// at every point of the mesh.
 fn covering(faces: &[[Point; 3]]) -> BTreeMap<[Point; 2], [usize; 2]> {
     let points: BTreeSet<Point> = faces.iter().flatten().copied().collect();
     let mut pieces = BTreeMap::new();
@@ -39,7 +39,8 @@ fn mesh(faces: &[[Point; 3]]) -> Mesh {
     Mesh::new(corners.collect(), (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
 }
 
-/// The same in double precision, to other places and sizes: at the last one neither differences nor products are floats.
+/// The same in double precision, to other places and sizes: at the last one neither differences nor products are
+/// floats.
 fn placed(faces: &[[Point; 3]]) -> Vec<Mesh<DVec3>> {
     let places: [(f64, f64); 4] =
         [(1.0, 0.0), (2f64.powi(-600), 0.0), (2f64.powi(900), 0.0), (1.0, 2f64.powi(52) - 9.0)];
@@ -51,7 +52,8 @@ fn placed(faces: &[[Point; 3]]) -> Vec<Mesh<DVec3>> {
     places.map(place).into()
 }
 
-/// Faces of tetrahedra, of which some are cut at a point of an edge while their neighbours are not, some are turned and some lost.
+/// Faces of tetrahedra, of which some are cut at a point of an edge while their neighbours are not, some are turned and
+/// some lost.
 fn faces() -> impl Strategy<Value = Vec<[Point; 3]>> {
     let point = || [0..5i32, 0..5, 0..5];
     let tetrahedra = prop::collection::vec([point(), point(), point(), point()], 1..4);

@@ -10,7 +10,8 @@ use crate::traverse::Method;
 
 type Box3 = [[i32; 3]; 2];
 
-/// The faces of a box, seen from outside. One of them is cut at a vertex in the middle of an edge, where its neighbour is not.
+/// The faces of a box, seen from outside. One of them is cut at a vertex in the middle of an edge, where its neighbour
+/// is not.
 fn faces([lo, hi]: Box3, cut: usize) -> Vec<[[i32; 3]; 3]> {
     let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { hi[k] } else { lo[k] });
     let quads = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
@@ -32,8 +33,8 @@ fn mesh<V: Vector>(faces: &[[[i32; 3]; 3]]) -> Mesh<V> {
     Mesh::new(vertices, (0..faces.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
 }
 
-/// Boxes that overlap, touch and repeat, and all points of a grid, many of them on faces, edges and corners: by both rules, both
-/// tracers and both precisions, against the boxes themselves. [CLOSED-2]
+/// Boxes that overlap, touch and repeat, and all points of a grid, many of them on faces, edges and corners: by both
+/// rules, both tracers and both precisions, against the boxes themselves. [CLOSED-2]
 fn points_are_where_the_boxes_say<V: Precision>() {
     let (mut random, mut counts) = (Rng::new(5), [0; 4]);
     for round in 0..12 {

@@ -9,6 +9,7 @@ use super::shared;
 use crate::bvh::WideBvh;
 use crate::geom::Ray;
 use crate::geom::lanes::{Hits as _, Level, Precision, vectorize};
+use crate::trace::memory::lend;
 use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unfit, advance, traverse};
 
 /// What is asked of each ray.
@@ -92,15 +93,11 @@ fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(
 /// Does something with the cursors' memory of this thread.
 #[inline(always)]
 pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
-    let mut memory = MEMORY.try_with(Cell::take).ok().flatten().unwrap_or_default();
-    let ran = run(&mut memory);
-    // A thread that ends keeps nothing any more.
-    _ = MEMORY.try_with(|kept| kept.set(Some(memory)));
-    ran
+    lend(&MEMORY, |memory| run(memory.get_or_insert_default()))
 }
 
 thread_local! {
-    /// Memory of two cursors: to allocate or to clear it for each ray would cost a call a tenth of its time.
+    /// Memory of two cursors.
     static MEMORY: Cell<Option<Box<[Scratch; 2]>>> = const { Cell::new(None) };
 }
 

@@ -79,8 +79,8 @@ fn numbers_are_those_of_the_direct_sum_in_double() {
     numbers_are_those_of_the_direct_sum::<DVec3>();
 }
 
-/// A cube without some of its triangles, from its middle: each takes up a twelfth of the view, and rays along the axes meet edges of the
-/// border. [WINDING-2]
+/// A cube without some of its triangles, from its middle: each takes up a twelfth of the view, and rays along the axes
+/// meet edges of the border. [WINDING-2]
 #[test]
 fn rays_through_the_border_are_not_taken() {
     let corners = (0..8).map(|i| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2 & 1)));
@@ -100,8 +100,8 @@ fn rays_through_the_border_are_not_taken() {
     }
 }
 
-/// A square, seen from points ever nearer to an edge of it: from the middle of the edge, half of a half is seen. The error is what
-/// was promised, and no sum is off by a whole. [WINDING-2]
+/// A square, seen from points ever nearer to an edge of it: from the middle of the edge, half of a half is seen. The
+/// error is what was promised, and no sum is off by a whole. [WINDING-2]
 #[test]
 fn numbers_are_right_near_the_border() {
     let corners = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];

@@ -59,7 +59,7 @@ const _: () = assert!(size_of::<BoundsArguments>() == 24 && size_of::<RayArgumen
 pub(super) type Bounds = unsafe extern "C" fn(*const BoundsArguments);
 pub(super) type Callback<R> = unsafe extern "C" fn(*const RayArguments<R>);
 
-/// What the callbacks get with a ray: the ray in double precision, of which `tmax` is the distance of the nearest hit.
+/// The ray in double precision, as the callbacks receive it. `tmax` is the distance of the nearest hit.
 #[repr(C)]
 struct DoubleContext {
     context: Context,

@@ -25,9 +25,9 @@ pub trait Parity: Kernel {
     /// [`Exact::crosses`], in either precision. `[PARITY-1]`
     fn is_crossing(&self, shape: &Self::Shape) -> bool;
 
-    /// The side of a triangle that a ray comes from, if the ray crosses it: 1 from behind, where it leaves the solid of a
-    /// mesh whose faces are seen counterclockwise from outside, and -1 from the front. Of a triangle that is parallel to the
-    /// ray, 0.
+    /// The side of a triangle that a ray comes from, if the ray crosses it: 1 from behind, where it leaves the solid of
+    /// a mesh whose faces are seen counterclockwise from outside, and -1 from the front. Of a triangle that is parallel
+    /// to the ray, 0.
     fn sense(&self, shape: &Self::Shape) -> i32;
 }
 
@@ -93,8 +93,8 @@ impl Exact {
     }
 }
 
-/// Whether the moved line meets the triangle: whether all edge functions have one sign. Twice the digits are asked if they
-/// have room.
+/// Whether the moved line meets the triangle: whether all edge functions have one sign. Twice the digits are asked if
+/// they have room.
 #[cold]
 #[inline(never)]
 pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {

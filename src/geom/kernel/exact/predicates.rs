@@ -12,8 +12,8 @@ use crate::geom::frame::power_of_two;
 /// A vector whose components are sums of two numbers.
 pub(super) type Pairs = [[f64; 2]; 3];
 
-/// The sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, if they have room, and by
-/// an exact sum where those do not tell.
+/// The sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, if they have room, and
+/// by an exact sum where those do not tell.
 pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3, has_room: bool) -> Ordering {
     let [a, b] = side(o, from, to);
     sign(d, a, b, has_room)
@@ -65,8 +65,8 @@ fn minus(a: DVec3, b: DVec3) -> Pairs {
     [0, 1, 2].map(|k| difference(a[k], b[k]))
 }
 
-/// Whether a line meets the closed triangle, in one point; see [`is_flat_at_sight`] first. Twice the digits are asked if they
-/// have room.
+/// Whether a line meets the closed triangle, in one point; see [`is_flat_at_sight`] first. Twice the digits are asked
+/// if they have room.
 #[cold]
 #[inline(never)]
 pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
@@ -114,7 +114,8 @@ pub(super) fn is_parallel(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
 }
 
 /// Whether a determinant is 0 at sight: two corners are one point, or the triangle lies across an axis, as walls and
-/// floors do, and the line is parallel to it. Twice the digits and sums would tell it at length. For numbers of any size.
+/// floors do, and the line is parallel to it. Twice the digits and sums would tell it at length. For numbers of any
+/// size.
 pub(super) fn is_flat_at_sight(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     v0 == v1 || v0 == v2 || v1 == v2 || (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
 }
@@ -143,8 +144,8 @@ fn is_certain(a: f64, b: f64) -> bool {
     size > least && (a - b).abs() > 4.0 * f64::EPSILON * size
 }
 
-/// A total order of the lines from a point through two others, equal only if they are one line: by the slopes in y and z over
-/// x; then, of those without an x, by the slope in z over y. Exact, for numbers of any size.
+/// A total order of the lines from a point through two others, equal only if they are one line: by the slopes in y and
+/// z over x; then, of those without an x, by the slope in z over y. Exact, for numbers of any size.
 pub(crate) fn order_of_lines(from: DVec3, to: [DVec3; 2]) -> Ordering {
     let [a, b] = to;
     // The steeper of two lines in a plane, whose first coordinates change by a[i] and b[i].
