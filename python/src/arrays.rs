@@ -58,7 +58,7 @@ impl<'py, S: Space> Rays<'py, S> {
     }
 }
 
-/// The address of an array. `resize(refcheck=False)` moves an array under all its views, and NumPy does not report it.
+/// The address of an array. `resize(refcheck=False)` moves an array under all its views, and `NumPy` does not report it.
 pub(crate) struct Place<'py> {
     name: &'static str,
     /// The array that has the memory, of which the other may be a view.
