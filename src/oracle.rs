@@ -1,7 +1,7 @@
 //! The reference: recursion, as short as it can be. Everything else is compared with it.
 
 use crate::event::{Recorder, State};
-use crate::order::{Flow, Pruned, Pruning, Visitor, Whole};
+use crate::order::{Flow, Pruned, Pruning, Unpruned, Visitor};
 use crate::tree::{Node, Topology};
 
 /// Deepest tree, in edges, that the recursion is used for. Deeper ones are compared with the explicit
@@ -12,7 +12,7 @@ pub const DEPTH_LIMIT: u32 = 2000;
 ///
 /// The tree must be at most [`DEPTH_LIMIT`] deep; below that depth nothing is visited.
 pub fn traverse<T: Topology>(tree: &T, visitor: &mut impl Visitor, recorder: &mut impl Recorder) {
-    traverse_pruned(tree, tree.root(), Pruning::Never, &mut Whole(visitor), recorder);
+    traverse_pruned(tree, tree.root(), Pruning::Never, &mut Unpruned(visitor), recorder);
 }
 
 /// The same for the subtree of any node, where some postponed nodes are left out.

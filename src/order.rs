@@ -169,9 +169,9 @@ pub trait Pruned: Visitor {
 
 /// A search of which nothing is left out, for those who take one that [may be pruned](Pruned).
 #[derive(Clone, Copy, Debug)]
-pub struct Whole<V>(pub V);
+pub struct Unpruned<V>(pub V);
 
-impl<V: Visitor> Visitor for Whole<V> {
+impl<V: Visitor> Visitor for Unpruned<V> {
     #[inline(always)]
     fn inner(&mut self, node: Node) -> Descent {
         self.0.inner(node)
@@ -183,9 +183,9 @@ impl<V: Visitor> Visitor for Whole<V> {
     }
 }
 
-impl<V: Visitor> Pruned for Whole<V> {}
+impl<V: Visitor> Pruned for Unpruned<V> {}
 
-impl<V: Repeatable> Repeatable for Whole<V> {}
+impl<V: Repeatable> Repeatable for Unpruned<V> {}
 
 /// A search whose answer does not change if it is shown nodes that it did not want, or leaves that it has seen: closest
 /// hit, any hit and nearest point are such, all hits are not.

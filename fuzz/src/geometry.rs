@@ -5,7 +5,7 @@ use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, TwoSided, Wide};
+use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, Slabs64, TwoSided};
 use stackless_bvh::geom::{Aabb, Mesh, Ray, Triangle, Vector};
 use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 
@@ -41,7 +41,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     if draw.coin() {
         let corners = flat.map(Vector::widen);
         if let Some(ray) = draw.ray_64(corners) {
-            right(check_slabs::<Wide>(&ray, &a, &b, true), format_args!("{ray:?} {a:?} {b:?}"));
+            right(check_slabs::<Slabs64>(&ray, &a, &b, true), format_args!("{ray:?} {a:?} {b:?}"));
         }
         return;
     }
@@ -53,7 +53,7 @@ pub(crate) fn slabs(bytes: &[u8]) {
     right(check_slabs::<EnclosedSlabs>(&ray, &a, &b, true), about("enclosed"));
     let [o, d] = [ray.origin(), ray.direction()].map(Vector::widen);
     if let Ok(ray) = Ray::within(o, d, f64::from(ray.tmin()), f64::from(ray.tmax())) {
-        right(check_slabs::<Wide>(&ray, &a, &b, true), about("wide"));
+        right(check_slabs::<Slabs64>(&ray, &a, &b, true), about("wide"));
     }
 }
 

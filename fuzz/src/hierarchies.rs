@@ -13,7 +13,7 @@ use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Recorded, Topology};
 use stackless_bvh::wide;
 use stackless_check::{
-    Exactly, Flat, Heading, Hierarchies, Leg, Shape, check_held, check_instances, check_path, check_trees,
+    Exactly, Heading, Hierarchies, InstanceOracle, Leg, Shape, check_held, check_instances, check_path, check_trees,
 };
 
 use super::draw::{Draw, patched};
@@ -149,10 +149,10 @@ fn placed<'a, V: Precision>(
     let tracer = InstanceTracer::with_methods(&assembly, root, groups, meshes).and_then(|it| it.with_wide(widely));
     let tracer = match tracer {
         Ok(tracer) => tracer,
-        Err(InstanceError::Unfit { .. }) => return,
+        Err(InstanceError::Unsupported { .. }) => return,
         Err(error) => panic!("{error}"),
     };
-    let flat = Flat::new(&shapes);
+    let flat = InstanceOracle::new(&shapes);
     let aims: Vec<_> = flat.corners().copied().filter(|corners| corners.iter().all(|&v| V::is_finite(v))).collect();
     for _ in 0..3 {
         if let Some(ray) = ray(draw, &aims) {

@@ -6,7 +6,7 @@ use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, Tape, shape};
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::traverse::{
-    Beside, ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Unfit, WordName,
+    AuxTables, ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Unsupported, WordName,
 };
 use stackless_bvh::tree::{Implicit, Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
@@ -135,7 +135,7 @@ pub(crate) fn hash(bytes: &[u8]) {
     said(header.sizing);
     // Tables for all traversals take no less than those for one.
     let axes = vec![0; tree.node_count()];
-    let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
+    let bytes = |methods: &[Method]| AuxTables::new(&tree, &axes, methods, 13).bytes();
     assert!(bytes(&[method]) <= bytes(&Method::ALL), "{method}");
     for word in WordName::ALL {
         let [narrow, wide] = [1, 60].map(|depth| method.state_bytes_in(word, depth));
@@ -238,7 +238,7 @@ fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
         let verdict = battery
             .judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch));
         match verdict {
-            Verdict::Agrees { .. } | Verdict::Refused(Unfit::TooDeep(_)) => {}
+            Verdict::Agrees { .. } | Verdict::Refused(Unsupported::TooDeep(_)) => {}
             _ => panic!("{method} in {}, cut every {levels} levels: {verdict:?}\n{case:?}", W::NAME),
         }
     }

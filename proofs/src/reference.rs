@@ -25,7 +25,7 @@ impl Keyed for Shape {
 
 /// The search of a script.
 #[derive(Clone, Copy, Debug)]
-pub struct Told<'t, T> {
+pub struct ScriptedSearch<'t, T> {
     /// The tree.
     pub tree: &'t T,
     /// What is decided.
@@ -34,7 +34,7 @@ pub struct Told<'t, T> {
     pub silent_from: u32,
 }
 
-impl<T: Keyed> Visitor for Told<'_, T> {
+impl<T: Keyed> Visitor for ScriptedSearch<'_, T> {
     fn inner(&mut self, node: Node) -> Descent {
         let key = self.tree.key(node);
         if key < self.silent_from { self.script.descent(key) } else { Descent::NEITHER }
@@ -45,7 +45,7 @@ impl<T: Keyed> Visitor for Told<'_, T> {
     }
 }
 
-impl<T: Keyed> Pruned for Told<'_, T> {
+impl<T: Keyed> Pruned for ScriptedSearch<'_, T> {
     fn allows(&self, pruning: Pruning) -> bool {
         pruning != Pruning::Distance
     }
@@ -60,7 +60,7 @@ impl<T: Keyed> Pruned for Told<'_, T> {
     }
 }
 
-impl<T: Keyed> FixedOrder for Told<'_, T> {
+impl<T: Keyed> FixedOrder for ScriptedSearch<'_, T> {
     fn first(&self, node: Node) -> Side {
         self.script.first(self.tree.key(node))
     }

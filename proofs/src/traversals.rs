@@ -18,7 +18,7 @@ use stackless_bvh::traverse::{
 use stackless_bvh::tree::Topology;
 
 use crate::harness::{claim, harnesses};
-use crate::reference::{Keyed, Told, Watch};
+use crate::reference::{Keyed, ScriptedSearch, Watch};
 use crate::shape::{Computed, HashedKeys, Script, Shape};
 use crate::{Choose, cover};
 use resumed::{Resumed, by_key_and_trail};
@@ -103,7 +103,7 @@ pub fn follows<C: Choose, T: Keyed>(
     pruning: Pruning,
     script: impl FnOnce(&mut C, Shape) -> Script,
     tree: impl FnOnce(Shape) -> T,
-    run: impl FnOnce(&T, &mut Told<'_, T>, &mut Watch<'_, T>),
+    run: impl FnOnce(&T, &mut ScriptedSearch<'_, T>, &mut Watch<'_, T>),
 ) -> Option<()> {
     let shape = Shape::any(choose, inner_nodes)?;
     let script = script(choose, shape);
@@ -111,7 +111,7 @@ pub fn follows<C: Choose, T: Keyed>(
     // The mistake: the deepest inner node of a comb says that it wants nothing.
     let silent_from = choose.plant(u32::MAX, |_| 1 << (inner_nodes - 1));
     let mut watch = Watch::new(&tree, script, pruning);
-    run(&tree, &mut Told { tree: &tree, script, silent_from }, &mut watch);
+    run(&tree, &mut ScriptedSearch { tree: &tree, script, silent_from }, &mut watch);
     claim!(watch.reference.key().is_none());
     cover!(choose, watch.visits == 2 * inner_nodes + 1, "every node of a tree of the greatest size is visited");
     cover!(choose, watch.longest == inner_nodes - 1, "from the deepest leaf of a comb to the root's other child");

@@ -44,7 +44,7 @@ planted $kernels/exact/predicates.rs 'difference(a[k], b[k])' 'difference(b[k], 
 planted $kernels/exact/filter.rs '(error + x.abs() * errors.det) * reciprocal.abs()' 'x.abs().mul_add(errors.det, error) * reciprocal.abs()'
 # One step of the reciprocal, here and there; and none for one of the two planes.
 planted $slabs/directed.rs 'pub const STEPS: u32 = 2;' 'pub const STEPS: u32 = 1;'
-planted $slabs/wide.rs 'pub const STRICT_STEPS: u32 = 3;' 'pub const STRICT_STEPS: u32 = 2;'
+planted $slabs/slabs64.rs 'pub const STRICT_STEPS: u32 = 3;' 'pub const STRICT_STEPS: u32 = 2;'
 planted $slabs/directed.rs 'moved(-(STEPS as i32))' 'moved(0)'
 # Constants.
 planted $kernels/bounds.rs 'pub const SIGN: u32 = 2 * EDGE;' 'pub const SIGN: u32 = 2 * EDGE - 1;'

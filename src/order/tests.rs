@@ -101,8 +101,8 @@ fn answers(mut visitor: impl Pruned, index: u32) -> (Descent, Flow, [bool; 3], D
 #[test]
 fn a_search_that_says_nothing_is_not_pruned() {
     let nothing = (Descent::NEITHER, Flow::Continue, [true, false, false], Descent::NEITHER, false, 0, u32::MAX);
-    assert_eq!(answers(Whole(Plain), 0), nothing);
-    assert_eq!(answers(&mut Whole(&mut Plain), 0), nothing);
+    assert_eq!(answers(Unpruned(Plain), 0), nothing);
+    assert_eq!(answers(&mut Unpruned(&mut Plain), 0), nothing);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::Form;
+use super::KernelShape;
 use crate::geom::kernel::{Affine, Exact, ExactFromSingle, Moller32, Moller64, Woop};
 use crate::geom::slabs::{Directed, Plain, TwoSided};
 use crate::geom::{Kernel, Slabs};
@@ -112,7 +112,9 @@ pub trait WithTests {
     type Output;
 
     /// Does it with the triangle test `K` and the box test `B`.
-    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Self::Output;
+    fn call<K: Kernel<Vector = Vec3, Shape: KernelShape> + 'static, B: Slabs<Vector = Vec3> + 'static>(
+        self,
+    ) -> Self::Output;
 }
 
 /// [`with_tests`] for [`Accuracy::tests`], where what is done is not to be compiled for all pairs of tests.
@@ -137,7 +139,10 @@ pub fn with_tests<F: WithTests>((kernel, slabs): (KernelName, SlabsName), f: F) 
     }
 }
 
-fn with_kernel<K: Kernel<Vector = Vec3, Shape: Form> + 'static, F: WithTests>(slabs: SlabsName, f: F) -> F::Output {
+fn with_kernel<K: Kernel<Vector = Vec3, Shape: KernelShape> + 'static, F: WithTests>(
+    slabs: SlabsName,
+    f: F,
+) -> F::Output {
     match slabs {
         SlabsName::Plain => f.call::<K, Plain>(),
         SlabsName::TwoSided => f.call::<K, TwoSided>(),

@@ -5,18 +5,18 @@ use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
 
-use super::cast::Cast;
 use super::level::Level;
 use super::memory::lend;
+use super::prepared_ray::PreparedRay;
 use super::{
-    Ask, Asked, BoxQuery, Crossings, Following, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints,
-    NodeSearch, OwnBoxes, Part, Plan, RayQueries, Sweep,
+    AllHitsQuery, BoxQuery, Crossings, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery,
+    NodeSearch, OwnBoxes, Part, PartialHit, Plan, QueryKind, RayQueries,
 };
 use crate::bvh::{BuildError, Bvh};
 use crate::geom::kernel::{Exact, Parity, Real};
 use crate::geom::slabs::Directed;
 use crate::geom::{Ball, Kernel, Mesh, Ray, Slabs, Triangle, Vector};
-use crate::traverse::{Method, Unfit, WordName};
+use crate::traverse::{Method, Unsupported, WordName};
 use crate::tree::Node;
 
 /// Answers queries over a binary hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
@@ -52,7 +52,7 @@ pub struct BinaryTracer<T = Bvh, K = Exact, B = Directed> {
     bvh: T,
     pub(super) level: Level,
     /// What the plan says of hits.
-    ask: Ask,
+    ask: QueryKind,
     with_weights: bool,
     watches: bool,
     tests: PhantomData<fn() -> (K, B)>,
@@ -74,7 +74,7 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
     /// It follows the links that a new hierarchy has. Where the records name [others](Bvh::with_links), they are in a
     /// table beside it, and queries share a slower copy of the traversals; so it is with all traversals.
     pub fn new(bvh: T) -> Self {
-        let plan = Plan::new(bvh.borrow(), Method::default(), Ask::Hit);
+        let plan = Plan::new(bvh.borrow(), Method::default(), QueryKind::Hit);
         let level = Level::unchecked(bvh.borrow(), &plan);
         Self::over(bvh, level, &plan)
     }
@@ -82,9 +82,9 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
     /// A tracer by any traversal, with tables and words as narrow as the hierarchy allows.
     ///
     /// # Errors
-    /// [`Unfit`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is
+    /// [`Unsupported`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is
     /// deeper than 126.
-    pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
+    pub fn with_method(bvh: T, method: Method) -> Result<Self, Unsupported> {
         Self::with_tests(bvh, method)
     }
 
@@ -92,8 +92,8 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
     /// refused; it does not change an answer.
     ///
     /// # Errors
-    /// [`Unfit`], also where the keys of the plan are too short for the hierarchy.
-    pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unfit> {
+    /// [`Unsupported`], also where the keys of the plan are too short for the hierarchy.
+    pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unsupported> {
         let level = Level::new(bvh.borrow(), plan)?;
         Ok(Self::over(bvh, level, plan))
     }
@@ -105,8 +105,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     ///
     /// # Errors
     /// As [`with_method`](BinaryTracer::with_method).
-    pub fn with_tests(bvh: T, method: Method) -> Result<Self, Unfit> {
-        let plan = Plan::new(bvh.borrow(), method, Ask::Hit);
+    pub fn with_tests(bvh: T, method: Method) -> Result<Self, Unsupported> {
+        let plan = Plan::new(bvh.borrow(), method, QueryKind::Hit);
         let level = Level::new(bvh.borrow(), &plan)?;
         Ok(Self::over(bvh, level, &plan))
     }
@@ -151,18 +151,18 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
 
     /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it
     /// than the plan wants.
-    pub fn asked_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<Asked<Real<K>>>> {
-        let whole = |hit: Hit<_>| Asked { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
+    pub fn partial_hits_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<PartialHit<Real<K>>>> {
+        let whole = |hit: Hit<_>| PartialHit { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
         let asked = |ray| match (self.ask, self.with_weights) {
-            (Ask::Any, true) => self.search_any(ray, NodeSearch::hit).map(whole),
-            (Ask::Any, false) => {
+            (QueryKind::Any, true) => self.search_any(ray, NodeSearch::hit).map(whole),
+            (QueryKind::Any, false) => {
                 let (prim, _) = self.search_any(ray, NodeSearch::found)?;
-                Some(Asked { prim, t: None, weights: None })
+                Some(PartialHit { prim, t: None, weights: None })
             }
             (_, true) => self.search_closest(ray, NodeSearch::hit).map(whole),
             (_, false) => {
                 let (prim, t) = self.search_closest(ray, NodeSearch::found)?;
-                Some(Asked { prim, t: Some(t), weights: None })
+                Some(PartialHit { prim, t: Some(t), weights: None })
             }
         };
         rays.iter().map(asked).collect()
@@ -200,8 +200,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         search.query
     }
 
-    pub(super) fn sweep(&self, ray: &Ray<K::Vector>) -> Sweep<'_, K, B> {
-        Sweep::watching(self.bvh(), ray, self.watches)
+    pub(super) fn sweep(&self, ray: &Ray<K::Vector>) -> AllHitsQuery<'_, K, B> {
+        AllHitsQuery::watching(self.bvh(), ray, self.watches)
     }
 }
 
@@ -235,15 +235,15 @@ where
     V: Vector,
 {
     fn next(&self, ray: &Ray<V>, after: (V::Real, u32)) -> Option<Hit<V::Real>> {
-        self.run_shared(ray.octant(), Following::<K, B>::new(self.bvh(), ray, after)).hit()
+        self.run_shared(ray.octant(), NextHitQuery::<K, B>::new(self.bvh(), ray, after)).hit()
     }
 
     fn crossings(&self, ray: &Ray<V>) -> u32 {
-        self.run_shared(ray.octant(), Crossings::<K, B>::over(Cast::new(self.bvh(), ray))).count()
+        self.run_shared(ray.octant(), Crossings::<K, B>::over(PreparedRay::new(self.bvh(), ray))).count()
     }
 
     fn winding(&self, ray: &Ray<V>) -> i32 {
-        self.run_shared(ray.octant(), Crossings::<K, B>::over(Cast::new(self.bvh(), ray)).with_signs()).winding()
+        self.run_shared(ray.octant(), Crossings::<K, B>::over(PreparedRay::new(self.bvh(), ray)).with_signs()).winding()
     }
 
     fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>> {

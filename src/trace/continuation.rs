@@ -9,7 +9,9 @@ use crate::geom::kernel::Real;
 use crate::geom::{Aabb, Kernel, Ray, Slabs};
 use crate::key::KeyWord;
 use crate::order::{Descent, Flow, Pruned, Pruning, Repeatable, Visitor};
-use crate::traverse::{ByWalk, KeyOnly, Next, Pause, Unfit, WithCursor, WithWord, revisit, traverse_pruned, with_word};
+use crate::traverse::{
+    ByWalk, KeyOnly, Next, Pause, Unsupported, WithCursor, WithWord, revisit, traverse_pruned, with_word,
+};
 use crate::tree::{Keys, Node, Topology};
 
 /// Where a path is: the leaf of its last hit.
@@ -58,10 +60,10 @@ impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Cont
     /// Makes tables of the keys and boxes of all nodes.
     ///
     /// # Errors
-    /// [`Unfit::NoPause`] where the tracer's traversal cannot begin but at the root.
-    pub fn new(tracer: &'t BinaryTracer<T, K, B>) -> Result<Self, Unfit> {
+    /// [`Unsupported::NoPause`] where the tracer's traversal cannot begin but at the root.
+    pub fn new(tracer: &'t BinaryTracer<T, K, B>) -> Result<Self, Unsupported> {
         if !tracer.method().can_pause() {
-            return Err(Unfit::NoPause);
+            return Err(Unsupported::NoPause);
         }
         let bvh = tracer.bvh();
         Ok(Self { tracer, keys: Keys::of(bvh), boxes: bvh.own_boxes() })
@@ -201,9 +203,9 @@ struct Begin<'q, 'c, 't, T, K: Kernel, B> {
 }
 
 impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> WithWord for Begin<'_, '_, '_, T, K, B> {
-    type Output = Result<(), Unfit>;
+    type Output = Result<(), Unsupported>;
 
-    fn call<W: KeyWord>(self) -> Result<(), Unfit> {
+    fn call<W: KeyWord>(self) -> Result<(), Unsupported> {
         let Self { at: Continuation { tracer, keys, .. }, from, query } = self;
         let (bvh, level) = (tracer.bvh(), &tracer.level);
         let locate = |leaf| KeyOnly::locate(keys.key::<W>(bvh.slot(leaf)), Next::Visit, &ByWalk(bvh)).ok();

@@ -3,12 +3,12 @@
 use std::cmp::Ordering;
 use std::collections::HashSet;
 
-use super::cast::Cast;
-use super::held::Held;
+use super::leaf_primitives::LeafPrimitives;
+use super::prepared_ray::PreparedRay;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Parity, Real};
-use crate::geom::slabs::{Directed, Wide};
+use crate::geom::slabs::{Directed, Slabs64};
 use crate::geom::{Aabb, Kernel, Once, Ray, Real as _, Slabs};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::tree::Node;
@@ -29,23 +29,23 @@ use crate::tree::Node;
 /// assert_eq!(hits.iter().map(|hit| (hit.prim, hit.t)).collect::<Vec<_>>(), [(0, 1.0), (1, 1.0)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub type AllHits<'a> = Sweep<'a, Exact, Directed>;
+pub type AllHits<'a> = AllHitsQuery<'a, Exact, Directed>;
 
 /// [`AllHits`] in double precision. `[EXACT-7]`
-pub type AllHits64<'a> = Sweep<'a, Exact64, Wide>;
+pub type AllHits64<'a> = AllHitsQuery<'a, Exact64, Slabs64>;
 
 /// A ray on its way through a hierarchy `H` that collects all its hits, with the triangle test `K` and the box test
 /// `B`. It visits all boxes that the ray meets.
 #[derive(Clone, Debug)]
-pub struct Sweep<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
-    pub(super) cast: Cast<'a, K, B, H>,
+pub struct AllHitsQuery<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
+    pub(super) cast: PreparedRay<'a, K, B, H>,
     repeats: Repeats,
     distances: Once<K::Shape, Option<Real<K>>>,
     /// Distance, triangle, and where that is in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
 }
 
-impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> AllHitsQuery<'a, K, B> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
         Self::watching(bvh, ray, bvh.duplicates() > 0)
@@ -53,7 +53,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
 
     /// A query that watches for triangles that it has met, or does not, which must be none then.
     pub(super) fn watching(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>, watches: bool) -> Self {
-        Self::over(Cast::new(bvh, ray), watches)
+        Self::over(PreparedRay::new(bvh, ray), watches)
     }
 
     /// Whether it watches for triangles that it has met.
@@ -63,14 +63,14 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Sweep<'a, K, B> {
     }
 }
 
-impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
-    pub(super) fn over(cast: Cast<'a, K, B, H>, watches: bool) -> Self {
+impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> AllHitsQuery<'a, K, B, H> {
+    pub(super) fn over(cast: PreparedRay<'a, K, B, H>, watches: bool) -> Self {
         Self { cast, repeats: Repeats::new(watches), distances: Once::NEVER, found: Vec::new() }
     }
 
     /// All hits, after the traversal, in the order of exact distance and then of primitive.
     pub fn hits(&self) -> Vec<Hit<Real<K>>> {
-        let (Cast { bvh, kernel, .. }, mut found) = (&self.cast, self.found.clone());
+        let (PreparedRay { bvh, kernel, .. }, mut found) = (&self.cast, self.found.clone());
         // No distance is a NaN.
         found.sort_by(|(t, prim, place), (other, next, at)| {
             let at_one_distance = || kernel.order((&bvh.shape(*place), *prim), (&bvh.shape(*at), *next));
@@ -86,7 +86,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
 
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: Cast { bvh, kernel, .. }, repeats, distances, found } = self;
+        let Self { cast: PreparedRay { bvh, kernel, .. }, repeats, distances, found } = self;
         bvh.for_each(leaf, |place, shape, prim| {
             if let Some(t) = distances.answer(shape, |shape| kernel.distance(shape, Real::<K>::INFINITY))
                 && repeats.is_new(prim)
@@ -97,7 +97,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Sweep<'a, K, B, H> {
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for AllHitsQuery<'_, K, B> {
     #[inline]
     fn inner(&mut self, node: Node) -> Descent {
         self.cast.inner(node)
@@ -110,9 +110,9 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Sweep<'_, K, B> {
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for Sweep<'_, K, B> {}
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for AllHitsQuery<'_, K, B> {}
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for AllHitsQuery<'_, K, B> {
     fn touches(&self, aabb: &Aabb) -> bool {
         self.cast.touches(aabb)
     }
@@ -147,7 +147,7 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Sweep<'_, K, B> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Crossings<'a, K: Kernel = Exact, B = Directed, H = Bvh<<K as Kernel>::Shape>> {
-    pub(super) cast: Cast<'a, K, B, H>,
+    pub(super) cast: PreparedRay<'a, K, B, H>,
     repeats: Repeats,
     count: u32,
     /// The sum of senses, if it is wanted.
@@ -157,12 +157,12 @@ pub struct Crossings<'a, K: Kernel = Exact, B = Directed, H = Bvh<<K as Kernel>:
 impl<'a> Crossings<'a> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh, ray: &Ray) -> Self {
-        Self::over(Cast::new(bvh, ray))
+        Self::over(PreparedRay::new(bvh, ray))
     }
 }
 
-impl<'a, K: Parity, B, H: Held<K::Shape>> Crossings<'a, K, B, H> {
-    pub(super) fn over(cast: Cast<'a, K, B, H>) -> Self {
+impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
+    pub(super) fn over(cast: PreparedRay<'a, K, B, H>) -> Self {
         let repeats = Repeats::new(cast.bvh.has_repeats());
         Self { cast, repeats, count: 0, winding: None }
     }
@@ -190,7 +190,7 @@ impl<'a, K: Parity, B, H: Held<K::Shape>> Crossings<'a, K, B, H> {
 
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: Cast { bvh, kernel, .. }, repeats, count, winding } = self;
+        let Self { cast: PreparedRay { bvh, kernel, .. }, repeats, count, winding } = self;
         bvh.for_each(leaf, |_, shape, prim| {
             if kernel.is_crossing(shape) && repeats.is_new(prim) {
                 *count += 1;

@@ -28,8 +28,8 @@ use crate::bvh::Bvh;
 use crate::geom::truth::{Number, Point};
 use crate::geom::{AffineMap, Approach, EnclosedRay, ExactPoint, ExactRay, Region, Triangle, Vector};
 use crate::trace::level::Level;
-use crate::trace::{Ask, Plan, RayQueries};
-use crate::traverse::{Method, Unfit};
+use crate::trace::{Plan, QueryKind, RayQueries};
+use crate::traverse::{Method, Unsupported};
 use crate::wide;
 use assembly::{Group, Part};
 use walk::{Found, Instances, Search, Triangles, Wanted, walk};
@@ -101,19 +101,19 @@ pub enum InstanceError {
     UnknownObject,
     /// The traversal is not for the hierarchy of an object.
     #[error("object {object}: {unfit}")]
-    Unfit {
+    Unsupported {
         /// Index of the object in the order in which objects were added.
         object: usize,
         /// Why.
-        unfit: Unfit,
+        unfit: Unsupported,
     },
     /// The traversal of wide trees is not for the hierarchy of an object.
     #[error("object {object}: {unfit}")]
-    UnfitWide {
+    UnsupportedWide {
         /// Index of the object in the order in which objects were added.
         object: usize,
         /// Why.
-        unfit: wide::Unfit,
+        unfit: wide::Unsupported,
     },
 }
 
@@ -162,11 +162,11 @@ impl<V: Vector> InstanceTracer<V> {
     /// The same with another traversal for wide meshes.
     ///
     /// # Errors
-    /// [`InstanceError::UnfitWide`].
+    /// [`InstanceError::UnsupportedWide`].
     pub fn with_wide(mut self, method: wide::Method) -> Result<Self, InstanceError> {
         for (object, stage) in self.stages.iter_mut().enumerate() {
             if let Some(Stage::Wide(bvh, level)) = stage {
-                *level = bvh.level(method).map_err(|unfit| InstanceError::UnfitWide { object, unfit })?;
+                *level = bvh.level(method).map_err(|unfit| InstanceError::UnsupportedWide { object, unfit })?;
             }
         }
         Ok(self)
@@ -369,18 +369,18 @@ impl<V: Vector> Stage<V> {
     }
 
     fn new(object: usize, part: &Part<V>, groups: Method, meshes: Method) -> Result<Self, InstanceError> {
-        let unfit = |unfit| InstanceError::Unfit { object, unfit };
+        let unfit = |unfit| InstanceError::Unsupported { object, unfit };
         Ok(match part {
             Part::Mesh(bvh) => {
-                let level = Level::new(bvh, &Plan::new(bvh, meshes, Ask::Hit)).map_err(unfit)?;
+                let level = Level::new(bvh, &Plan::new(bvh, meshes, QueryKind::Hit)).map_err(unfit)?;
                 Self::Mesh(Arc::clone(bvh), level)
             }
             Part::Wide(bvh) => {
                 let level = bvh.level(wide::Method::default());
-                Self::Wide(Arc::clone(bvh), level.map_err(|unfit| InstanceError::UnfitWide { object, unfit })?)
+                Self::Wide(Arc::clone(bvh), level.map_err(|unfit| InstanceError::UnsupportedWide { object, unfit })?)
             }
             Part::Group(group) => {
-                let level = Level::new(&group.bvh, &Plan::new(&group.bvh, groups, Ask::Hit)).map_err(unfit)?;
+                let level = Level::new(&group.bvh, &Plan::new(&group.bvh, groups, QueryKind::Hit)).map_err(unfit)?;
                 Self::Group(Arc::clone(group), level)
             }
         })

@@ -5,7 +5,7 @@ use crate::bvh::{Bvh, BvhTree};
 use crate::event::Backtracks;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use crate::traverse::{Beside, Method, Run, Stack, Tables, Unfit, WordName, traverse};
+use crate::traverse::{AuxTables, Method, Run, Stack, Tables, Unsupported, WordName, traverse};
 use crate::tree::{Implicit, Node, Topology};
 
 /// A traversal and its tables. The hierarchy that they were made for comes with each query.
@@ -13,14 +13,14 @@ use crate::tree::{Implicit, Node, Topology};
 pub(super) struct Level {
     pub(super) method: Method,
     pub(super) word: WordName,
-    beside: Beside,
+    beside: AuxTables,
     /// Each node's own box, for the traversals that test it.
     pub(super) boxes: Vec<Aabb>,
 }
 
 impl Level {
     /// What a plan says, checked once and for all: no ray can fail.
-    pub(super) fn new<S>(bvh: &Bvh<S>, plan: &Plan) -> Result<Self, Unfit> {
+    pub(super) fn new<S>(bvh: &Bvh<S>, plan: &Plan) -> Result<Self, Unsupported> {
         let level = Self::unchecked(bvh, plan);
         // A search that is over at the root: what is unfit is found before the first step.
         level.try_run(bvh.tree(), 0, &mut Vec::new(), &mut Nothing).map(|()| level)
@@ -30,7 +30,7 @@ impl Level {
         let (method, word) = (plan.method(), plan.word());
         let boxes = if plan.skips(Part::OwnBoxes) { Vec::new() } else { bvh.own_boxes() };
         let others: &[Method] = if plan.skips(Part::OtherTables) { &[] } else { &Method::ALL };
-        let beside = Beside::new(bvh.tree(), bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
+        let beside = AuxTables::new(bvh.tree(), bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
         Self { method, word, beside, boxes }
     }
 
@@ -83,7 +83,13 @@ impl Level {
         }
     }
 
-    fn try_run(&self, tree: &BvhTree, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) -> Result<(), Unfit> {
+    fn try_run(
+        &self,
+        tree: &BvhTree,
+        octant: u8,
+        memory: &mut Vec<Node>,
+        query: &mut dyn Query,
+    ) -> Result<(), Unsupported> {
         self.tables(tree).run_query(self.word, self.method_for(query), octant, memory, query)
     }
 
@@ -141,7 +147,7 @@ mod tests {
     use super::*;
     use crate::bvh::SahOptions;
     use crate::generate::procedural;
-    use crate::trace::{Ask, Closest, OwnBoxes, Truth};
+    use crate::trace::{Closest, OwnBoxes, QueryKind, Truth};
 
     /// Keys of 32 bits in a hierarchy that is too deep for them, and no table of the traversal that runs.
     #[test]
@@ -149,9 +155,9 @@ mod tests {
         let mesh = procedural::layers(60);
         let bvh = Bvh::sah(&mesh, SahOptions { depth_limit: u32::MAX, ..SahOptions::default() }).expect("a tree");
         assert!(bvh.depth() > 31, "{}", bvh.depth());
-        let plan = Plan::new(&Bvh::median(&mesh, 4).expect("a tree"), Method::Uncle, Ask::Hit);
+        let plan = Plan::new(&Bvh::median(&mesh, 4).expect("a tree"), Method::Uncle, QueryKind::Hit);
         assert_eq!(plan.word(), WordName::U32);
-        assert!(matches!(Level::new(&bvh, &plan), Err(Unfit::TooDeep(_))));
+        assert!(matches!(Level::new(&bvh, &plan), Err(Unsupported::TooDeep(_))));
         let level = Level::unchecked(&bvh, &plan);
         let (truth, rays) = (Truth::new(&mesh), procedural::rays(&mesh, 5, 200));
         let mut hits = 0;

@@ -14,7 +14,7 @@
 //! | [`BinaryTracer`] | a binary hierarchy, by any traversal of both papers and by any tests | the same |
 //! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that begin on a surface | [`RayQueries`] |
 //!
-//! A tracer refuses a traversal that does not fit when it is made ([`Unfit`](crate::traverse::Unfit)). Tracing is
+//! A tracer refuses a traversal that does not fit when it is made ([`Unsupported`](crate::traverse::Unsupported)). Tracing is
 //! infallible. Meshes, rays, balls and options of builders are checked where they enter
 //! ([`MeshError`](crate::geom::MeshError), [`RayError`](crate::geom::RayError), [`BallError`](crate::geom::BallError),
 //! [`BuildError`](crate::bvh::BuildError)). ARCHITECTURE.md lists the functions that a ray passes.
@@ -24,20 +24,20 @@ mod binary;
 #[cfg(any(test, feature = "generate"))]
 mod bounce;
 mod boundary;
-mod cast;
 mod child_order;
 mod continuation;
 mod counters;
 mod crossings;
-mod forms;
-mod held;
 mod instances;
+mod kernel_bvhs;
+mod leaf_primitives;
 mod level;
 mod memory;
 mod mesh_queries;
 mod nearest;
 mod next;
 mod plan;
+mod prepared_ray;
 mod query;
 mod ray_queries;
 mod search;
@@ -54,16 +54,16 @@ pub use boundary::{Border, Boundary, OpenEdge};
 pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
 pub use counters::{Counters, WideCounters};
-pub use crossings::{AllHits, AllHits64, Crossings, Sweep};
-pub use forms::{Form, Forms};
-pub use held::Held;
+pub use crossings::{AllHits, AllHits64, AllHitsQuery, Crossings};
 pub use instances::{
     Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
 };
+pub use kernel_bvhs::{KernelBvhs, KernelShape};
+pub use leaf_primitives::LeafPrimitives;
 pub use mesh_queries::MeshQueries;
 pub use nearest::{Near, NearestPoint, NearestPoints};
-pub use next::Following;
-pub use plan::{Ask, Asked, Choice, Decision, Need, Part, Plan};
+pub use next::NextHitQuery;
+pub use plan::{Choice, Decision, Need, Part, PartialHit, Plan, QueryKind};
 pub use query::{BoxQuery, OwnBoxes, Query};
 pub use ray_queries::RayQueries;
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};

@@ -6,7 +6,7 @@ pub use several::NearestPoints;
 
 use glam::Vec3;
 
-use super::held::Held;
+use super::leaf_primitives::LeafPrimitives;
 use super::query::BoxQuery;
 use crate::bvh::{Bvh, BvhNode};
 use crate::geom::{Aabb, Ball, Measure, Real, Triangle, Vector};
@@ -38,7 +38,7 @@ pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
     found: Option<usize>,
 }
 
-impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoint<'a, H, V> {
+impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
     /// Prepares a search.
     pub fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
         Self { around: Around::new(bvh, ball), found: None }
@@ -100,7 +100,7 @@ pub(super) struct Limit<R> {
     prim: u32,
 }
 
-impl<'a, V: Vector, H: Held<Triangle<V>>> Around<'a, H, V> {
+impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
     fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
         let measure = Measure::within(bvh.region().frame(), ball.center(), ball.radius());
         Self { bvh, measure, limit: Limit { distance: ball.radius(), prim: u32::MAX } }

@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use super::Hit;
-use super::cast::Cast;
-use super::held::Held;
+use super::leaf_primitives::LeafPrimitives;
+use super::prepared_ray::PreparedRay;
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
@@ -18,9 +18,9 @@ use crate::tree::Node;
 /// The given one is the hit of a triangle at a rounded distance. If the ray does not hit the triangle at that, it is the
 /// distance itself.
 #[derive(Clone, Debug)]
-pub struct Following<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
+pub struct NextHitQuery<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     /// It ends at the best hit that is farther after rounding.
-    pub(super) cast: Cast<'a, K, B, H>,
+    pub(super) cast: PreparedRay<'a, K, B, H>,
     after: (Real<K>, u32),
     /// Where the given triangle is in the hierarchy, once it is met at the given distance.
     start: Option<usize>,
@@ -37,11 +37,11 @@ struct Met {
     place: usize,
 }
 
-impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Following<'a, K, B> {
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> NextHitQuery<'a, K, B> {
     /// Prepares a query.
     pub fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>, after: (Real<K>, u32)) -> Self {
         let slabs = B::new(&rest(ray, after.0), bvh.region());
-        Self::over(Cast::with(bvh, ray, slabs), after)
+        Self::over(PreparedRay::with(bvh, ray, slabs), after)
     }
 }
 
@@ -53,15 +53,15 @@ pub(super) fn rest<V: Vector>(ray: &Ray<V>, after: V::Real) -> Ray<V> {
     Ray::within(ray.origin(), ray.direction(), start, ray.tmax()).unwrap_or(*ray)
 }
 
-impl<'a, K: Kernel, B, H: Held<K::Shape>> Following<'a, K, B, H> {
+impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> NextHitQuery<'a, K, B, H> {
     /// The boxes' test is for the [`rest`] of the ray.
-    pub(super) const fn over(cast: Cast<'a, K, B, H>, after: (Real<K>, u32)) -> Self {
+    pub(super) const fn over(cast: PreparedRay<'a, K, B, H>, after: (Real<K>, u32)) -> Self {
         Self { cast, after, start: None, level: Vec::new(), farther: None }
     }
 
     /// The hit, after the traversal.
     pub fn hit(&self) -> Option<Hit<Real<K>>> {
-        let Cast { bvh, kernel, end, .. } = &self.cast;
+        let PreparedRay { bvh, kernel, end, .. } = &self.cast;
         let at_level = self.level.iter().filter(|met| self.is_after(met));
         let of_level = at_level.min_by(|a, b| self.order(a, b)).map(|met| (met, self.after.0));
         let (&Met { prim, place }, t) = of_level.or_else(|| Some((self.farther.as_ref()?, *end)))?;
@@ -71,7 +71,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Following<'a, K, B, H> {
 
     /// Compares two hits at one rounded distance.
     fn order(&self, a: &Met, b: &Met) -> Ordering {
-        let Cast { bvh, kernel, .. } = &self.cast;
+        let PreparedRay { bvh, kernel, .. } = &self.cast;
         kernel.order((&bvh.shape(a.place), a.prim), (&bvh.shape(b.place), b.prim))
     }
 
@@ -89,7 +89,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Following<'a, K, B, H> {
     pub(super) fn meet(&mut self, leaf: Node) {
         let bvh = self.cast.bvh;
         bvh.for_each(leaf, |place, shape, prim| {
-            let Cast { kernel, end, .. } = &self.cast;
+            let PreparedRay { kernel, end, .. } = &self.cast;
             let Some(t) = kernel.distance(shape, *end) else { return };
             let (met, (given, given_prim)) = (Met { prim, place }, self.after);
             if t == given && prim == given_prim {
@@ -103,7 +103,7 @@ impl<'a, K: Kernel, B, H: Held<K::Shape>> Following<'a, K, B, H> {
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Following<'_, K, B> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for NextHitQuery<'_, K, B> {
     #[inline]
     fn inner(&mut self, node: Node) -> Descent {
         self.cast.inner(node)
@@ -116,11 +116,11 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for Following<'_, K, B> {
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for Following<'_, K, B> {}
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for NextHitQuery<'_, K, B> {}
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Repeatable for Following<'_, K, B> {}
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> Repeatable for NextHitQuery<'_, K, B> {}
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for Following<'_, K, B> {
+impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for NextHitQuery<'_, K, B> {
     fn touches(&self, aabb: &Aabb) -> bool {
         self.cast.touches(aabb)
     }

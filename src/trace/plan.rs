@@ -10,7 +10,7 @@ use crate::tree::Topology;
 
 /// What is asked for each ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ask {
+pub enum QueryKind {
     /// Whether there is a hit.
     Any,
     /// Distance and triangle of the closest hit.
@@ -21,9 +21,9 @@ pub enum Ask {
     All,
 }
 
-/// What a tracer says of a hit that its plan asks for ([`BinaryTracer::asked_each`](super::BinaryTracer::asked_each)).
+/// What a tracer says of a hit that its plan asks for ([`BinaryTracer::partial_hits_each`](super::BinaryTracer::partial_hits_each)).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked<R = f32> {
+pub struct PartialHit<R = f32> {
     /// Index of the triangle in the mesh; where any hit is asked for, of the one that was met first.
     pub prim: u32,
     /// Distance along the ray, unless it was left out.
@@ -94,11 +94,11 @@ pub struct Decision {
 /// ```
 /// use stackless_bvh::bvh::{Bvh, SahOptions};
 /// use stackless_bvh::generate::procedural;
-/// use stackless_bvh::trace::{Ask, Part, Plan};
+/// use stackless_bvh::trace::{QueryKind, Part, Plan};
 /// use stackless_bvh::traverse::Method;
 ///
 /// let bvh = Bvh::sah(&procedural::strands(1, 100), SahOptions::default())?;
-/// let plan = Plan::new(&bvh, Method::Hashed, Ask::Any);
+/// let plan = Plan::new(&bvh, Method::Hashed, QueryKind::Any);
 /// assert!(plan.skips(Part::LongKeys) && plan.skips(Part::Weights));
 /// for decision in plan.decisions() {
 ///     println!("{}: {}", decision.part.name(), decision.reason);
@@ -109,16 +109,16 @@ pub struct Decision {
 pub struct Plan {
     method: Method,
     word: WordName,
-    ask: Ask,
+    ask: QueryKind,
     decisions: Vec<Decision>,
 }
 
 impl Plan {
     /// Looks at a hierarchy once.
-    pub fn new<S>(bvh: &Bvh<S>, method: Method, ask: Ask) -> Self {
+    pub fn new<S>(bvh: &Bvh<S>, method: Method, ask: QueryKind) -> Self {
         let word = WordName::narrowest(bvh.depth());
         let decisions: Vec<_> = Part::ALL.map(|part| decide(part, bvh, method, ask)).into();
-        let prunes_for_nothing = method.test() == Test::Disjoint && matches!(ask, Ask::Any | Ask::All);
+        let prunes_for_nothing = method.test() == Test::Disjoint && matches!(ask, QueryKind::Any | QueryKind::All);
         let method = if prunes_for_nothing { method.without_pruning() } else { method };
         Self { method, word, ask, decisions }
     }
@@ -161,7 +161,7 @@ impl Plan {
     }
 
     /// What is asked for each ray.
-    pub fn ask(&self) -> Ask {
+    pub fn ask(&self) -> QueryKind {
         self.ask
     }
 
@@ -176,7 +176,7 @@ impl Plan {
     }
 }
 
-fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
+fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: QueryKind) -> Decision {
     let depth = bvh.depth();
     let (skipped, reason) = match part {
         Part::LongKeys => match WordName::narrowest(depth) {
@@ -185,9 +185,9 @@ fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
         },
         Part::OtherTables => (true, format!("{method} alone runs")),
         Part::SecondTrail => match (method.test(), ask) {
-            (Test::Disjoint, Ask::Distance | Ask::Hit) => (false, format!("{method} prunes by it")),
-            (_, Ask::Any) => (true, "the first hit ends the search".to_owned()),
-            (_, Ask::All) => (true, "a hit ends nothing".to_owned()),
+            (Test::Disjoint, QueryKind::Distance | QueryKind::Hit) => (false, format!("{method} prunes by it")),
+            (_, QueryKind::Any) => (true, "the first hit ends the search".to_owned()),
+            (_, QueryKind::All) => (true, "a hit ends nothing".to_owned()),
             _ => (true, format!("{method} visits what a hit has left behind, and turns back there")),
         },
         Part::OwnBoxes => match method.test() {
@@ -200,9 +200,9 @@ fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
             Test::NodeLeftFirst | Test::NodeBySign => (false, format!("{method} tests each node at its visit")),
         },
         Part::Weights => match ask {
-            Ask::Any => (true, "whether there is a hit takes no division".to_owned()),
-            Ask::Distance => (true, "nobody asks for them".to_owned()),
-            Ask::Hit | Ask::All => (false, "they are asked for".to_owned()),
+            QueryKind::Any => (true, "whether there is a hit takes no division".to_owned()),
+            QueryKind::Distance => (true, "nobody asks for them".to_owned()),
+            QueryKind::Hit | QueryKind::All => (false, "they are asked for".to_owned()),
         },
         Part::Degenerate => match bvh.dropped() {
             0 => (false, "none is left out of the hierarchy".to_owned()),
@@ -210,7 +210,7 @@ fn decide<S>(part: Part, bvh: &Bvh<S>, method: Method, ask: Ask) -> Decision {
         },
         Part::Repeats => match (bvh.duplicates(), ask) {
             (0, _) => (true, "each triangle is in one leaf".to_owned()),
-            (_, Ask::All) => (false, format!("{} references are to triangles of other leaves", bvh.duplicates())),
+            (_, QueryKind::All) => (false, format!("{} references are to triangles of other leaves", bvh.duplicates())),
             _ => (true, "a second meeting changes nothing".to_owned()),
         },
     };

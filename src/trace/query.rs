@@ -3,7 +3,7 @@
 use crate::bvh::BvhTree;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor};
-use crate::traverse::{Method, Tables, Unfit, WordName};
+use crate::traverse::{Method, Tables, Unsupported, WordName};
 use crate::tree::Node;
 
 /// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals
@@ -16,7 +16,7 @@ impl Tables<'_, BvhTree> {
     /// [`run_in`](Self::run_in) for any query, in the one copy of the traversals that is compiled with this crate.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     pub fn run_query(
         &self,
         word: WordName,
@@ -24,7 +24,7 @@ impl Tables<'_, BvhTree> {
         octant: u8,
         memory: &mut Vec<Node>,
         mut query: &mut dyn Query,
-    ) -> Result<(), Unfit> {
+    ) -> Result<(), Unsupported> {
         self.run_in(word, method, octant, memory, &mut query, &mut ())
     }
 }

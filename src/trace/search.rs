@@ -7,7 +7,7 @@ use super::child_order::{ChildOrder, FromLeft, Nearest};
 use super::query::{BoxQuery, OwnBoxes};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{Exact, Exact64, Filter, Real};
-use crate::geom::slabs::{Directed, Intervals, Wide};
+use crate::geom::slabs::{Directed, Intervals, Slabs64};
 use crate::geom::{self, Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, Pruned, Pruning, Repeatable, Visitor};
 use crate::tree::{Node, Topology};
@@ -35,10 +35,10 @@ pub type Any<'a> = Search<'a, Exact, Directed, true, FromLeft>;
 /// assert_eq!(closest.hit().map(|hit| (hit.t, hit.u, hit.v)), Some((0.75, 0.25, 0.25)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub type Closest64<'a> = Search<'a, Exact64, Wide, false>;
+pub type Closest64<'a> = Search<'a, Exact64, Slabs64, false>;
 
 /// An any-hit query in double precision, exact.
-pub type Any64<'a> = Search<'a, Exact64, Wide, true, FromLeft>;
+pub type Any64<'a> = Search<'a, Exact64, Slabs64, true, FromLeft>;
 
 /// A closest-hit query, exact, that tests each node's own box.
 pub type ClosestByNode<'a> = NodeSearch<'a, Exact, Directed, false>;

@@ -1,9 +1,9 @@
 //! The library's front door: queries over a hierarchy of eight children.
 
 mod count;
+mod interleaved;
 mod search;
 mod shared;
-mod turns;
 
 use std::borrow::Borrow;
 use std::fmt;
@@ -11,18 +11,20 @@ use std::marker::PhantomData;
 
 use glam::Vec3;
 
-use super::cast::Cast;
-use super::{Crossings, Following, Hit, MeshQueries, Near, NearestPoint, NearestPoints, RayQueries, Sweep, next};
+use super::prepared_ray::PreparedRay;
+use super::{
+    AllHitsQuery, Crossings, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery, RayQueries, next,
+};
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, Precision, with_baseline};
 use crate::geom::{Ball, Mesh, Ray};
 use crate::tree::Node;
-use crate::wide::{Method, Tables, Unfit, Wanted};
+use crate::wide::{Method, Tables, Unsupported, Wanted};
+use interleaved::{Answer, HitQuery, Job, trace, trace_one};
 use shared::{LaneRay, Query};
-use turns::{Answer, Ask, Job, trace, trace_one};
 
+pub(super) use interleaved::with_memory;
 pub(super) use search::LaneRanks;
-pub(super) use turns::with_memory;
 
 /// Answers queries over a hierarchy of eight children, exactly: the library's front door.
 ///
@@ -80,12 +82,12 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     /// A tracer by any traversal.
     ///
     /// # Errors
-    /// [`Unfit`] where the hierarchy has too many levels for it.
-    pub fn with_method(bvh: T, method: Method) -> Result<Self, Unfit> {
+    /// [`Unsupported`] where the hierarchy has too many levels for it.
+    pub fn with_method(bvh: T, method: Method) -> Result<Self, Unsupported> {
         let tables = Tables::of(method, bvh.borrow());
         let tracer = Self { bvh, method, tables, level: Level::new(), precision: PhantomData };
         // What is unfit is found before the first ray.
-        tracer.run(&[], Ask::Distance, &mut |_, _| ()).map(|()| tracer)
+        tracer.run(&[], HitQuery::Distance, &mut |_, _| ()).map(|()| tracer)
     }
 
     /// The same with the instructions of another level. The answers are the same.
@@ -116,20 +118,22 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
 
     /// Triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<V>) -> Option<(u32, V::Real)> {
-        self.one(ray, Ask::Distance).map(distance)
+        self.one(ray, HitQuery::Distance).map(distance)
     }
 
     /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
     pub fn closest_distances(&self, rays: &[Ray<V>], found: &mut [Option<(u32, V::Real)>]) {
         let count = rays.len().min(found.len());
-        self.run_fit(&rays[..count], Ask::Distance, &mut |i, hit: Option<Hit<V::Real>>| found[i] = hit.map(distance));
+        self.run_fit(&rays[..count], HitQuery::Distance, &mut |i, hit: Option<Hit<V::Real>>| {
+            found[i] = hit.map(distance);
+        });
     }
 
     /// What a ray wants of an inner node before anything is hit: the children whose boxes it meets, with the ranks by
     /// which they come. For whoever shows a traversal, or counts. `[LANES-2]`
     pub fn wanted(&self, ray: &Ray<V>, node: Node) -> Wanted<[u32; 8]> {
         let bvh = self.bvh();
-        with_baseline!(simd => Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)).ask(node))
+        with_baseline!(simd => PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh)).ask(node))
     }
 
     fn run_shared(&self, query: &mut dyn Query) {
@@ -137,7 +141,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         debug_assert_eq!(ran, Ok(()));
     }
 
-    fn one(&self, ray: &Ray<V>, ask: Ask) -> Option<Hit<V::Real>> {
+    fn one(&self, ray: &Ray<V>, ask: HitQuery) -> Option<Hit<V::Real>> {
         let answer = trace_one(self.method, self.job(ask), ray);
         debug_assert!(answer.is_ok(), "{answer:?}");
         answer.unwrap_or(None)
@@ -146,7 +150,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     fn each<A: Clone + Default>(
         &self,
         rays: &[Ray<V>],
-        ask: Ask,
+        ask: HitQuery,
         answer: impl Fn(Option<Hit<V::Real>>) -> A,
     ) -> Vec<A> {
         let mut answers = vec![A::default(); rays.len()];
@@ -155,16 +159,16 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     }
 
     /// Whether the traversal fits was found when the tracer was made.
-    fn run_fit(&self, rays: &[Ray<V>], ask: Ask, answer: &mut Answer<'_, V>) {
+    fn run_fit(&self, rays: &[Ray<V>], ask: HitQuery, answer: &mut Answer<'_, V>) {
         let ran = self.run(rays, ask, answer);
         debug_assert_eq!(ran, Ok(()));
     }
 
-    fn run(&self, rays: &[Ray<V>], ask: Ask, answer: &mut Answer<'_, V>) -> Result<(), Unfit> {
+    fn run(&self, rays: &[Ray<V>], ask: HitQuery, answer: &mut Answer<'_, V>) -> Result<(), Unsupported> {
         trace(self.method, self.job(ask), rays, answer)
     }
 
-    fn job(&self, ask: Ask) -> Job<'_, V> {
+    fn job(&self, ask: HitQuery) -> Job<'_, V> {
         Job { bvh: self.bvh(), tables: &self.tables, level: self.level, ask }
     }
 }
@@ -173,37 +177,37 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> RayQueries<Ray<V>> for Tracer<T, V>
     type Hit = Hit<V::Real>;
 
     fn closest(&self, ray: &Ray<V>) -> Option<Self::Hit> {
-        self.one(ray, Ask::Closest)
+        self.one(ray, HitQuery::Closest)
     }
 
     fn any(&self, ray: &Ray<V>) -> bool {
-        self.one(ray, Ask::Any).is_some()
+        self.one(ray, HitQuery::Any).is_some()
     }
 
     fn any_hit(&self, ray: &Ray<V>) -> Option<Self::Hit> {
-        self.one(ray, Ask::AnyHit)
+        self.one(ray, HitQuery::AnyHit)
     }
 
     fn all(&self, ray: &Ray<V>) -> Vec<Self::Hit> {
         let bvh = self.bvh();
         with_baseline!(simd => {
-            let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-            let mut query = Sweep::over(cast, bvh.duplicates() > 0);
+            let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+            let mut query = AllHitsQuery::over(cast, bvh.duplicates() > 0);
             self.run_shared(&mut query);
             query.hits()
         })
     }
 
     fn closest_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
-        self.each(rays, Ask::Closest, |hit| hit)
+        self.each(rays, HitQuery::Closest, |hit| hit)
     }
 
     fn any_each(&self, rays: &[Ray<V>]) -> Vec<bool> {
-        self.each(rays, Ask::Any, |hit| hit.is_some())
+        self.each(rays, HitQuery::Any, |hit| hit.is_some())
     }
 
     fn any_hit_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
-        self.each(rays, Ask::AnyHit, |hit| hit)
+        self.each(rays, HitQuery::AnyHit, |hit| hit)
     }
 }
 
@@ -211,8 +215,8 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> MeshQueries<V> for Tracer<T, V> {
     fn next(&self, ray: &Ray<V>, after: (V::Real, u32)) -> Option<Hit<V::Real>> {
         let bvh = self.bvh();
         with_baseline!(simd => {
-            let cast = Cast::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
-            let mut query = Following::over(cast, after);
+            let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, &next::rest(ray, after.0), bvh));
+            let mut query = NextHitQuery::over(cast, after);
             self.run_shared(&mut query);
             query.hit()
         })
@@ -221,7 +225,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> MeshQueries<V> for Tracer<T, V> {
     fn crossings(&self, ray: &Ray<V>) -> u32 {
         let bvh = self.bvh();
         with_baseline!(simd => {
-            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
+            let mut query = Crossings::over(PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh)));
             self.run_shared(&mut query);
             query.count()
         })
@@ -230,7 +234,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> MeshQueries<V> for Tracer<T, V> {
     fn winding(&self, ray: &Ray<V>) -> i32 {
         let bvh = self.bvh();
         with_baseline!(simd => {
-            let mut query = Crossings::over(Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh))).with_signs();
+            let mut query = Crossings::over(PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh))).with_signs();
             self.run_shared(&mut query);
             query.winding()
         })

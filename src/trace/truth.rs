@@ -9,7 +9,7 @@
 //! misses by far. Its hierarchy, its box test and what it knows of triangles are its own and as plain as can be, so that
 //! it does not rest on what it judges.
 
-mod gross;
+mod conservative_cull;
 
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -19,7 +19,7 @@ use glam::Vec3;
 use super::Hit;
 use crate::geom::truth::{Number, Point, RBig, distance_from, meet, round_f64};
 use crate::geom::{Mesh, Ray, Vector};
-use gross::{Bounds, Gross};
+use conservative_cull::{Bounds, ConservativeCull};
 
 /// Where a ray truly hits a mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,12 +94,12 @@ impl<V: Vector> Truth<V> {
 
     /// The first hit in the order (exact `t`, primitive).
     pub fn closest(&self, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
-        let (mut candidates, mut first) = (self.candidates(Gross::new(ray)), None);
+        let (mut candidates, mut first) = (self.candidates(ConservativeCull::new(ray)), None);
         while let Some(prim) = candidates.next() {
             let hit = hit(prim, self.triangles[prim as usize], ray);
             first = first.into_iter().chain(hit).min_by(order);
             if let Some(TrueHit { t, .. }) = first {
-                candidates.gross.end_by(t.into());
+                candidates.conservative_cull.end_by(t.into());
             }
         }
         first
@@ -113,9 +113,10 @@ impl<V: Vector> Truth<V> {
     /// Whether a ray from a rational point meets a triangle strictly between 0 and `tmax`. `[SECOND-2]`
     pub fn any_from(&self, origin: &[RBig; 3], direction: V, tmax: V::Real) -> bool {
         let components = |v: V| v.widen().to_array();
-        let gross = Gross::along(origin.each_ref().map(round_f64), components(direction), [0.0, tmax.into()]);
+        let conservative_cull =
+            ConservativeCull::along(origin.each_ref().map(round_f64), components(direction), [0.0, tmax.into()]);
         let tmax = RBig::try_from(tmax.into()).ok();
-        self.candidates(gross).any(|prim| {
+        self.candidates(conservative_cull).any(|prim| {
             let t = distance_from(self.triangles[prim as usize], origin, direction.components());
             t.is_some_and(|t| t > RBig::ZERO && tmax.as_ref().is_none_or(|tmax| t < *tmax))
         })
@@ -128,20 +129,20 @@ impl<V: Vector> Truth<V> {
 
     /// All hits, in no particular order.
     fn hits(&self, ray: &Ray<V>) -> impl Iterator<Item = TrueHit<V::Real>> {
-        self.candidates(Gross::new(ray)).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
+        self.candidates(ConservativeCull::new(ray)).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
     }
 
-    fn candidates(&self, gross: Gross) -> Candidates<'_, V> {
-        let root = gross.entry(&self.boxes[0]).map(|near| (near, 0, 0..self.prims.len()));
+    fn candidates(&self, conservative_cull: ConservativeCull) -> Candidates<'_, V> {
+        let root = conservative_cull.entry(&self.boxes[0]).map(|near| (near, 0, 0..self.prims.len()));
         let waiting = root.into_iter().filter(|(.., leaves)| !leaves.is_empty()).collect();
-        Candidates { truth: self, gross, waiting }
+        Candidates { truth: self, conservative_cull, waiting }
     }
 }
 
 /// The primitives that the ray does not miss by far, nor their boxes, nor any box above; more or less from near to far.
 struct Candidates<'t, V: Vector> {
     truth: &'t Truth<V>,
-    gross: Gross,
+    conservative_cull: ConservativeCull,
     /// Where the ray enters a node's box, the node, and its leaves.
     waiting: Vec<(f64, usize, Range<usize>)>,
 }
@@ -150,15 +151,15 @@ impl<V: Vector> Iterator for Candidates<'_, V> {
     type Item = u32;
 
     fn next(&mut self) -> Option<u32> {
-        let Self { truth: Truth { triangles, prims, boxes }, gross, waiting } = self;
+        let Self { truth: Truth { triangles, prims, boxes }, conservative_cull, waiting } = self;
         loop {
             let (near, node, leaves) = waiting.pop()?;
-            if gross.ends_before(near) {
+            if conservative_cull.ends_before(near) {
                 continue;
             }
             if leaves.len() == 1 {
                 let prim = prims[leaves.start];
-                if gross.misses_triangle::<V>(&triangles[prim as usize]) {
+                if conservative_cull.misses_triangle::<V>(&triangles[prim as usize]) {
                     continue;
                 }
                 return Some(prim);
@@ -166,7 +167,8 @@ impl<V: Vector> Iterator for Candidates<'_, V> {
             let (left, right) = halves(leaves);
             let children = [(node + 1, left.clone()), (node + 2 * left.len(), right)];
             let first = waiting.len();
-            let entered = |(node, leaves): (usize, _)| gross.entry(&boxes[node]).map(|near| (near, node, leaves));
+            let entered =
+                |(node, leaves): (usize, _)| conservative_cull.entry(&boxes[node]).map(|near| (near, node, leaves));
             waiting.extend(children.into_iter().filter_map(entered));
             // The nearer one is taken first.
             waiting[first..].sort_by(|(a, ..), (b, ..)| b.total_cmp(a));

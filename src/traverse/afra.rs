@@ -1,7 +1,7 @@
 //! Áfra & Szirmay-Kalos 2014: a bit trail, and a climb along parent and sibling references.
 
 use super::marks::{self, Marks};
-use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unsupported};
 use crate::event::State;
 use crate::key::{KeyWord, branched};
 use crate::order::Descent;
@@ -24,11 +24,11 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Afra<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] beyond as many edges as
+    /// [`Unsupported::NoLinks`] where the tree names no parents and siblings, and [`Unsupported::TooDeep`] beyond as many edges as
     /// the word has bits.
     #[inline]
-    pub fn new(tree: &'t T) -> Result<Self, Unfit> {
-        Unfit::unless_linked(tree, Recorded::ParentSibling)?;
+    pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
+        Unsupported::unless_linked(tree, Recorded::ParentSibling)?;
         W::carries(tree.depth(), 0)?;
         Ok(Self { tree, node: tree.root(), trail: W::zero(), marks: M::default() })
     }

@@ -1,6 +1,6 @@
 //! Hapala et al. 2011: parent references and a three-state automaton; the order is asked again on the way up.
 
-use super::{Cursor, Unfit};
+use super::{Cursor, Unsupported};
 use crate::order::{Descent, FixedOrder};
 use crate::tree::{Node, Recorded, Topology};
 
@@ -22,10 +22,10 @@ impl<'t, T: Topology, O: FixedOrder> Hapala<'t, T, O> {
     /// Starts at the root. The state does not grow with the depth.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no parents and siblings.
+    /// [`Unsupported::NoLinks`] where the tree names no parents and siblings.
     #[inline]
-    pub fn new(tree: &'t T, order: O) -> Result<Self, Unfit> {
-        Unfit::unless_linked(tree, Recorded::ParentSibling)?;
+    pub fn new(tree: &'t T, order: O) -> Result<Self, Unsupported> {
+        Unsupported::unless_linked(tree, Recorded::ParentSibling)?;
         Ok(Self { tree, order, node: tree.root(), from_parent: false })
     }
 }

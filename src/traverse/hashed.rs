@@ -4,7 +4,7 @@ use core::mem::take;
 
 use super::marks::{self, Marks};
 use super::register::Register;
-use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unsupported};
 use crate::event::State;
 use crate::hash::Lookup;
 use crate::key::{self, KeyWord, branched};
@@ -31,11 +31,11 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, L,
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no uncles, and [`Unfit::TooDeep`] where the key would lose its
+    /// [`Unsupported::NoLinks`] where the tree names no uncles, and [`Unsupported::TooDeep`] where the key would lose its
     /// leading one: beyond as many edges as the word has bits, less one.
     #[inline]
-    pub fn new(tree: &'t T, lookup: L) -> Result<Self, Unfit> {
-        Unfit::unless_linked(tree, Recorded::Uncles)?;
+    pub fn new(tree: &'t T, lookup: L) -> Result<Self, Unsupported> {
+        Unsupported::unless_linked(tree, Recorded::Uncles)?;
         W::carries(tree.depth(), 1)?;
         let register = Register::empty(tree);
         let (key, trail, marks) = (key::root(), W::zero(), M::default());

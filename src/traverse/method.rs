@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::String;
 
-use super::{Method, Unfit, WordName};
+use super::{Method, Unsupported, WordName};
 use crate::key::{Grow, KeyWord};
 use crate::order::Pruning;
 use crate::tree::Recorded;
@@ -188,8 +188,8 @@ impl Method {
         W::WIDTH.is_some() || self.row().words != Words::Fixed
     }
 
-    pub(super) fn fits<W: KeyWord>(self) -> Result<(), Unfit> {
-        if self.exists_for::<W>() { Ok(()) } else { Err(Unfit::NoSuchWord { word: W::NAME }) }
+    pub(super) fn fits<W: KeyWord>(self) -> Result<(), Unsupported> {
+        if self.exists_for::<W>() { Ok(()) } else { Err(Unsupported::NoSuchWord { word: W::NAME }) }
     }
 
     /// [`state_bytes`](Self::state_bytes) for a word that is known only when the program runs.

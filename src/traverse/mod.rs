@@ -31,7 +31,7 @@ mod supply;
 mod table;
 mod tables;
 mod uncle;
-mod unfit;
+mod unsupported;
 mod word;
 
 pub use afra::Afra;
@@ -61,14 +61,14 @@ pub use supply::{Context, PausingContext, Supply};
 pub use table::Method;
 #[cfg(feature = "rays")]
 pub(crate) use tables::Run;
-pub use tables::{Beside, FromTables, LinkedTree, Tables, VerifiedTables, WithCursor};
+pub use tables::{AuxTables, FromTables, LinkedTree, Tables, VerifiedTables, WithCursor};
 pub use uncle::Uncle;
-pub use unfit::Unfit;
+pub use unsupported::Unsupported;
 pub use word::{WithWord, WordName, with_word};
 
 use crate::event::{Recorder, State};
 use crate::key::KeyWord;
-use crate::order::{Descent, Flow, Pruned, Visitor, Whole};
+use crate::order::{Descent, Flow, Pruned, Unpruned, Visitor};
 use crate::tree::Node;
 
 /// The state of one traversal, on its way through a tree.
@@ -163,7 +163,7 @@ impl<C: Cursor> Cursor for &mut C {
 #[inline]
 pub fn traverse<C: Cursor>(cursor: C, visitor: &mut impl Visitor, recorder: &mut impl Recorder) -> Option<Next> {
     const { assert!(!C::PRUNES && !C::KEEPS_DISTANCES, "a traversal that prunes asks more: traverse_pruned") };
-    traverse_pruned(cursor, &mut Whole(visitor), recorder)
+    traverse_pruned(cursor, &mut Unpruned(visitor), recorder)
 }
 
 /// Runs a traversal to its end: the loop that all algorithms share. `[TRAVERSE-1]`

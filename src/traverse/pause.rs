@@ -163,7 +163,7 @@ impl<W: KeyWord> Paused<W> {
 }
 
 /// Goes on with a traversal that was put aside. Returns what [`traverse_pruned`] returns. A search that says nothing of
-/// pruning is passed as [`Whole`](crate::order::Whole).
+/// pruning is passed as [`Unpruned`](crate::order::Unpruned).
 ///
 /// # Errors
 /// [`Incomplete`], before the first step.
@@ -190,11 +190,11 @@ pub fn resume<C: Pause>(
 /// ```compile_fail,E0277
 /// # use stackless_bvh::bvh::Bvh;
 /// # use stackless_bvh::geom::{Ray, kernel::Exact, slabs::Directed};
-/// # use stackless_bvh::trace::Sweep;
+/// # use stackless_bvh::trace::AllHitsQuery;
 /// # use stackless_bvh::traverse::{KeyOnly, Pause, revisit};
 /// // All hits would be counted twice.
 /// fn all_hits(bvh: &Bvh, ray: &Ray, cursor: impl Pause<Word = u64>, from: KeyOnly<u64>) {
-///     let mut search = Sweep::<Exact, Directed>::new(bvh, ray);
+///     let mut search = AllHitsQuery::<Exact, Directed>::new(bvh, ray);
 ///     let _ = revisit(cursor, from, &mut search, &mut ());
 /// }
 /// ```

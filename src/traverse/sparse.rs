@@ -1,7 +1,7 @@
 //! Barringer & Akenine-Möller 2013, Algorithm 4: the counter, and a climb along parent references.
 
 use super::marks::Marks;
-use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unsupported};
 use crate::event::State;
 use crate::key::{self, KeyWord, branched};
 use crate::order::Descent;
@@ -29,11 +29,11 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Sparse<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no parents and siblings, and [`Unfit::TooDeep`] where the counter would
+    /// [`Unsupported::NoLinks`] where the tree names no parents and siblings, and [`Unsupported::TooDeep`] where the counter would
     /// leave its word: beyond as many edges as the word has bits, less one.
     #[inline]
-    pub fn new(tree: &'t T) -> Result<Self, Unfit> {
-        Unfit::unless_linked(tree, Recorded::ParentSibling)?;
+    pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
+        Unsupported::unless_linked(tree, Recorded::ParentSibling)?;
         W::carries(tree.depth(), 1)?;
         Ok(Self { tree, node: tree.root(), index: W::one(), marks: M::default() })
     }

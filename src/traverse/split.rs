@@ -45,7 +45,7 @@ use crate::tree::{Node, Topology};
 /// let mut reference = Search::new(&tree, &tape, false);
 /// traverse(Stack::new(&tree, &mut Vec::new()), &mut reference, &mut ());
 /// assert_eq!(search.outcome, reference.outcome);
-/// # Ok::<(), stackless_bvh::traverse::Unfit>(())
+/// # Ok::<(), stackless_bvh::traverse::Unsupported>(())
 /// ```
 #[derive(Debug)]
 pub struct Split<'m, 'c, T, C, F> {

@@ -4,12 +4,12 @@ use core::borrow::BorrowMut;
 
 use alloc::vec::Vec;
 
-use super::{Cursor, Pause, Skips, Unfit};
+use super::{Cursor, Pause, Skips, Unsupported};
 use crate::hash::Lookup;
 use crate::order::FixedOrder;
 use crate::tree::{Node, Topology};
 
-/// What cursors in words `W` are made from: a tree, and what is beside it. What was not made is [`Unfit::NoTable`].
+/// What cursors in words `W` are made from: a tree, and what is beside it. What was not made is [`Unsupported::NoTable`].
 pub trait Supply<'t, W> {
     /// The tree, with the links that the traversal follows.
     type Tree: Topology + 't;
@@ -38,44 +38,44 @@ pub trait Supply<'t, W> {
     /// The keys that records do not reach. `[HASH-3]`
     ///
     /// # Errors
-    /// [`Unfit::NoTable`].
-    fn reached_keys(&self) -> Result<Self::Hash, Unfit>;
+    /// [`Unsupported::NoTable`].
+    fn reached_keys(&self) -> Result<Self::Hash, Unsupported>;
 
     /// The keys of all nodes.
     ///
     /// # Errors
-    /// [`Unfit::NoTable`].
-    fn all_keys(&self) -> Result<Self::Hash, Unfit>;
+    /// [`Unsupported::NoTable`].
+    fn all_keys(&self) -> Result<Self::Hash, Unsupported>;
 
     /// The layout.
     ///
     /// # Errors
-    /// [`Unfit::NoTable`].
-    fn layout(&self) -> Result<Self::Layout, Unfit>;
+    /// [`Unsupported::NoTable`].
+    fn layout(&self) -> Result<Self::Layout, Unsupported>;
 
     /// The addresses of a complete tree.
     ///
     /// # Errors
-    /// [`Unfit::NoTable`], [`Unfit::NotComplete`].
-    fn complete(&self) -> Result<Self::Complete, Unfit>;
+    /// [`Unsupported::NoTable`], [`Unsupported::NotComplete`].
+    fn complete(&self) -> Result<Self::Complete, Unsupported>;
 
     /// The table with chains.
     ///
     /// # Errors
-    /// [`Unfit::NoTable`].
-    fn chains(&self) -> Result<Self::Chains, Unfit>;
+    /// [`Unsupported::NoTable`].
+    fn chains(&self) -> Result<Self::Chains, Unsupported>;
 
     /// Skip pointers, left before right.
     ///
     /// # Errors
-    /// [`Unfit::NoTable`].
-    fn skips(&self) -> Result<&'t Skips, Unfit>;
+    /// [`Unsupported::NoTable`].
+    fn skips(&self) -> Result<&'t Skips, Unsupported>;
 
     /// Skip pointers in the order by sign.
     ///
     /// # Errors
-    /// [`Unfit::NoTable`].
-    fn skips_by_sign(&self) -> Result<&'t Skips, Unfit>;
+    /// [`Unsupported::NoTable`].
+    fn skips_by_sign(&self) -> Result<&'t Skips, Unsupported>;
 }
 
 /// Something to do with a traversal that is chosen when the program runs:
@@ -92,7 +92,10 @@ pub trait Context<'t, W>: Sized {
     ///
     /// # Errors
     /// Those of `start`.
-    fn by_parent<C: Cursor>(self, start: impl Fn(Self::From) -> Result<C, Unfit>) -> Result<Self::Output, Unfit>;
+    fn by_parent<C: Cursor>(
+        self,
+        start: impl Fn(Self::From) -> Result<C, Unsupported>,
+    ) -> Result<Self::Output, Unsupported>;
 
     /// Does it with a traversal that tests each node at its visit, in an order that is fixed.
     ///
@@ -100,8 +103,8 @@ pub trait Context<'t, W>: Sized {
     /// Those of `start`.
     fn by_node<C: Cursor, O: FixedOrder>(
         self,
-        start: impl Fn(Self::From) -> Result<(C, O), Unfit>,
-    ) -> Result<Self::Output, Unfit>;
+        start: impl Fn(Self::From) -> Result<(C, O), Unsupported>,
+    ) -> Result<Self::Output, Unsupported>;
 }
 
 /// Something to do with a traversal that can be put aside:
@@ -116,6 +119,8 @@ pub trait PausingContext<'t, W>: Sized {
     ///
     /// # Errors
     /// Those of `start`.
-    fn pausing<C: Pause<Word = W>>(self, start: impl Fn(Self::From) -> Result<C, Unfit>)
-    -> Result<Self::Output, Unfit>;
+    fn pausing<C: Pause<Word = W>>(
+        self,
+        start: impl Fn(Self::From) -> Result<C, Unsupported>,
+    ) -> Result<Self::Output, Unsupported>;
 }

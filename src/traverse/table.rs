@@ -8,7 +8,7 @@
 use super::method::{Kind, Need, Row, Test, Words};
 use super::{
     Afra, ByKey, Context, Disjoint, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
-    LeftFirst, PausingContext, PruningStack, Skip, Sparse, Stack, Supply, Uncle, Unfit,
+    LeftFirst, PausingContext, PruningStack, Skip, Sparse, Stack, Supply, Uncle, Unsupported,
 };
 use crate::key::KeyWord;
 use crate::name::named;
@@ -65,9 +65,9 @@ macro_rules! traversals {
             /// Does something with this traversal in words `W`: the one place where a name becomes a cursor.
             ///
             /// # Errors
-            /// [`Unfit`], before the first step.
+            /// [`Unsupported`], before the first step.
             #[inline]
-            pub fn dispatch<'t, W: KeyWord, X: Context<'t, W>>(self, context: X) -> Result<X::Output, Unfit> {
+            pub fn dispatch<'t, W: KeyWord, X: Context<'t, W>>(self, context: X) -> Result<X::Output, Unsupported> {
                 self.fits::<W>()?;
                 match self {
                     $(Self::$variant => traversals!(@any $kind context, X, $from, $cursor),)*
@@ -77,12 +77,12 @@ macro_rules! traversals {
             /// The same for traversals that can be [put aside](super::Pause).
             ///
             /// # Errors
-            /// [`Unfit::NoPause`] for others, and what else is unfit, before the first step.
+            /// [`Unsupported::NoPause`] for others, and what else is unfit, before the first step.
             #[inline]
             pub fn dispatch_pausing<'t, W: KeyWord, X: PausingContext<'t, W>>(
                 self,
                 context: X,
-            ) -> Result<X::Output, Unfit> {
+            ) -> Result<X::Output, Unsupported> {
                 self.fits::<W>()?;
                 match self {
                     $(Self::$variant => traversals!(@pausing $kind context, X, $from, $cursor),)*
@@ -102,7 +102,7 @@ macro_rules! traversals {
     (@pausing Pausing $context:ident, $x:ident, $from:ident, $cursor:expr) => {
         $context.pausing(|$from: $x::From| $cursor)
     };
-    (@pausing $kind:ident $context:ident, $x:ident, $from:ident, $cursor:expr) => { Err(Unfit::NoPause) };
+    (@pausing $kind:ident $context:ident, $x:ident, $from:ident, $cursor:expr) => { Err(Unsupported::NoPause) };
 }
 
 const NODE: usize = 4;

@@ -6,7 +6,7 @@ use core::ops::{Deref, Range};
 
 use super::{
     Complete, Context, Cursor, Glassner, Layout, Method, Need, NotComplete, Pause, PausingContext, Skips, Supply,
-    Unfit, WordName, traverse, traverse_pruned,
+    Unsupported, WordName, traverse, traverse_pruned,
 };
 use crate::event::Recorder;
 use crate::hash::{KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
@@ -19,7 +19,7 @@ use crate::tree::{ImplicitCells, Keys, Linked, Links, Node, Reach, Recorded, Top
 pub struct Tables<'t, T, H = PerfectHash> {
     tree: &'t T,
     axes: &'t [u8],
-    beside: Held<'t, Beside<H>>,
+    beside: Held<'t, AuxTables<H>>,
 }
 
 /// Tables with every lookup in a perfect hash verified.
@@ -30,7 +30,7 @@ pub type LinkedTree<'s, T> = Linked<'s, T, 2, 2, &'s Links>;
 
 /// The tables alone, for those who keep the tree elsewhere.
 #[derive(Debug)]
-pub struct Beside<H = PerfectHash> {
+pub struct AuxTables<H = PerfectHash> {
     /// What the tree's own records do not name.
     links: Links,
     reached_keys: Option<H>,
@@ -63,7 +63,7 @@ impl<X> Deref for Held<'_, X> {
     }
 }
 
-impl Beside {
+impl AuxTables {
     /// Makes what `methods` need. `axes` is for [`SignOrder`].
     ///
     /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
@@ -113,29 +113,29 @@ impl Beside {
 
     /// The same, with perfect hashes looked up in another way.
     #[must_use]
-    pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> Beside<H> {
+    pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> AuxTables<H> {
         let Self { links, reached_keys, all_keys, layout, complete, chains, skips, first_octant, skips_by_sign } = self;
         let [reached_keys, all_keys] = [reached_keys, all_keys].map(|hash| hash.map(&by));
-        Beside { links, reached_keys, all_keys, layout, complete, chains, skips, first_octant, skips_by_sign }
+        AuxTables { links, reached_keys, all_keys, layout, complete, chains, skips, first_octant, skips_by_sign }
     }
 }
 
 impl<'t, T: Topology> Tables<'t, T> {
-    /// A tree with what `methods` need, as [`Beside::new`] makes it.
+    /// A tree with what `methods` need, as [`AuxTables::new`] makes it.
     pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
-        Self::with(tree, axes, Beside::new(tree, axes, methods, implicit_depth))
+        Self::with(tree, axes, AuxTables::new(tree, axes, methods, implicit_depth))
     }
 
     /// A tree with tables that somebody else has made for it, and keeps.
     #[inline]
-    pub const fn lent(tree: &'t T, axes: &'t [u8], beside: &'t Beside) -> Self {
+    pub const fn lent(tree: &'t T, axes: &'t [u8], beside: &'t AuxTables) -> Self {
         Self { tree, axes, beside: Held::Lent(beside) }
     }
 }
 
 impl<'t, T: Topology> VerifiedTables<'t, T> {
     /// A tree with its tables, every lookup in a perfect hash verified by the tree's keys.
-    pub fn verified(tree: &'t T, axes: &'t [u8], beside: Beside, keys: Arc<Keys>) -> Self {
+    pub fn verified(tree: &'t T, axes: &'t [u8], beside: AuxTables, keys: Arc<Keys>) -> Self {
         Self::with(tree, axes, beside.looked_up_by(|hash| Verified::new(hash, tree, Arc::clone(&keys))))
     }
 
@@ -147,7 +147,7 @@ impl<'t, T: Topology> VerifiedTables<'t, T> {
 
 impl<'t, T: Topology, H> Tables<'t, T, H> {
     /// A tree with tables that were made for it.
-    pub const fn with(tree: &'t T, axes: &'t [u8], beside: Beside<H>) -> Self {
+    pub const fn with(tree: &'t T, axes: &'t [u8], beside: AuxTables<H>) -> Self {
         Self { tree, axes, beside: Held::Own(beside) }
     }
 
@@ -161,7 +161,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     /// for the traversals that order children by it.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     #[inline]
     pub fn run<W: KeyWord, S: Pruned + NodeTest>(
         &self,
@@ -170,7 +170,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         memory: &mut Vec<Node>,
         search: &mut S,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit>
+    ) -> Result<(), Unsupported>
     where
         H: Lookup<W>,
     {
@@ -180,7 +180,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     /// The same over another view of the tree, which says the same: one that watches what is read.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     #[inline]
     pub fn run_over<W: KeyWord, X: Topology, S: Pruned + NodeTest>(
         &self,
@@ -190,12 +190,12 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         memory: &mut Vec<Node>,
         search: &mut S,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit>
+    ) -> Result<(), Unsupported>
     where
         H: Lookup<W>,
     {
         if !search.allows(method.test().pruning()) {
-            return Err(Unfit::Unordered);
+            return Err(Unsupported::Unordered);
         }
         method.dispatch::<W, _>(Run { from: self.over(tree, octant, memory), search, recorder })
     }
@@ -206,7 +206,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     /// them.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     pub fn run_in<S: Pruned + NodeTest>(
         &self,
         word: WordName,
@@ -215,7 +215,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         memory: &mut Vec<Node>,
         search: &mut S,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit>
+    ) -> Result<(), Unsupported>
     where
         H: Lookup<u32> + Lookup<u64> + Lookup<u128> + Lookup<Grow>,
     {
@@ -230,9 +230,9 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     /// Makes the cursor of a traversal that [can be put aside](Method::can_pause).
     ///
     /// # Errors
-    /// [`Unfit`].
+    /// [`Unsupported`].
     #[inline]
-    pub fn with_cursor<W: KeyWord, F: WithCursor<W>>(&self, method: Method, f: F) -> Result<F::Output, Unfit>
+    pub fn with_cursor<W: KeyWord, F: WithCursor<W>>(&self, method: Method, f: F) -> Result<F::Output, Unsupported>
     where
         H: Lookup<W>,
     {
@@ -280,7 +280,7 @@ pub trait WithCursor<W> {
 /// Tables, and what differs from one search to the next.
 #[derive(Debug)]
 pub struct FromTables<'s, X, H, L> {
-    beside: &'s Beside<H>,
+    beside: &'s AuxTables<H>,
     layout: Option<L>,
     axes: &'s [u8],
     tree: &'s X,
@@ -313,39 +313,39 @@ impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W> + Copy> Supply<'s, 
     }
 
     #[inline]
-    fn reached_keys(&self) -> Result<&'s H, Unfit> {
-        self.beside.reached_keys.as_ref().ok_or(Unfit::NoTable)
+    fn reached_keys(&self) -> Result<&'s H, Unsupported> {
+        self.beside.reached_keys.as_ref().ok_or(Unsupported::NoTable)
     }
 
     #[inline]
-    fn all_keys(&self) -> Result<&'s H, Unfit> {
-        self.beside.all_keys.as_ref().ok_or(Unfit::NoTable)
+    fn all_keys(&self) -> Result<&'s H, Unsupported> {
+        self.beside.all_keys.as_ref().ok_or(Unsupported::NoTable)
     }
 
     #[inline]
-    fn layout(&self) -> Result<L, Unfit> {
-        self.layout.ok_or(Unfit::NoTable)
+    fn layout(&self) -> Result<L, Unsupported> {
+        self.layout.ok_or(Unsupported::NoTable)
     }
 
     #[inline]
-    fn complete(&self) -> Result<&'s Complete, Unfit> {
-        Ok(self.beside.complete.as_ref().ok_or(Unfit::NoTable)?.as_ref().map_err(|&error| error)?)
+    fn complete(&self) -> Result<&'s Complete, Unsupported> {
+        Ok(self.beside.complete.as_ref().ok_or(Unsupported::NoTable)?.as_ref().map_err(|&error| error)?)
     }
 
     #[inline]
-    fn chains(&self) -> Result<&'s Glassner, Unfit> {
-        self.beside.chains.as_ref().ok_or(Unfit::NoTable)
+    fn chains(&self) -> Result<&'s Glassner, Unsupported> {
+        self.beside.chains.as_ref().ok_or(Unsupported::NoTable)
     }
 
     #[inline]
-    fn skips(&self) -> Result<&'s Skips, Unfit> {
-        self.beside.skips.as_ref().ok_or(Unfit::NoTable)
+    fn skips(&self) -> Result<&'s Skips, Unsupported> {
+        self.beside.skips.as_ref().ok_or(Unsupported::NoTable)
     }
 
     #[inline]
-    fn skips_by_sign(&self) -> Result<&'s Skips, Unfit> {
-        let number = self.octant.checked_sub(self.beside.first_octant).ok_or(Unfit::NoTable)?;
-        self.beside.skips_by_sign.get(usize::from(number)).ok_or(Unfit::NoTable)
+    fn skips_by_sign(&self) -> Result<&'s Skips, Unsupported> {
+        let number = self.octant.checked_sub(self.beside.first_octant).ok_or(Unsupported::NoTable)?;
+        self.beside.skips_by_sign.get(usize::from(number)).ok_or(Unsupported::NoTable)
     }
 }
 
@@ -361,13 +361,16 @@ impl<'s, W: KeyWord, F: Supply<'s, W>, S: Pruned + NodeTest, R: Recorder> Contex
     type Output = ();
 
     #[inline]
-    fn by_parent<C: Cursor>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn by_parent<C: Cursor>(self, start: impl Fn(F) -> Result<C, Unsupported>) -> Result<(), Unsupported> {
         traverse_pruned(start(self.from)?, self.search, self.recorder);
         Ok(())
     }
 
     #[inline]
-    fn by_node<C: Cursor, O: FixedOrder>(self, start: impl Fn(F) -> Result<(C, O), Unfit>) -> Result<(), Unfit> {
+    fn by_node<C: Cursor, O: FixedOrder>(
+        self,
+        start: impl Fn(F) -> Result<(C, O), Unsupported>,
+    ) -> Result<(), Unsupported> {
         let (cursor, order) = start(self.from)?;
         traverse(cursor, &mut ByNode { test: self.search, order }, self.recorder);
         Ok(())
@@ -384,7 +387,10 @@ impl<'s, W: KeyWord, F: Supply<'s, W>, X: WithCursor<W>> PausingContext<'s, W> f
     type Output = X::Output;
 
     #[inline]
-    fn pausing<C: Pause<Word = W>>(self, start: impl Fn(F) -> Result<C, Unfit>) -> Result<X::Output, Unfit> {
+    fn pausing<C: Pause<Word = W>>(
+        self,
+        start: impl Fn(F) -> Result<C, Unsupported>,
+    ) -> Result<X::Output, Unsupported> {
         Ok(self.f.call(start(self.from)?))
     }
 }

@@ -4,7 +4,7 @@ use core::mem::take;
 
 use super::marks::{self, Marks};
 use super::register::Register;
-use super::{Cursor, Incomplete, Next, Pause, Paused, Unfit};
+use super::{Cursor, Incomplete, Next, Pause, Paused, Unsupported};
 use crate::event::State;
 use crate::key::{KeyWord, branched};
 use crate::order::Descent;
@@ -28,12 +28,12 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Uncle<'t, W, T, M> {
     /// Starts at the root. Records that name no grand uncle do not compile: the climb by two levels would pass over it.
     ///
     /// # Errors
-    /// [`Unfit::NoLinks`] where the tree names no uncles, and [`Unfit::TooDeep`] beyond as many edges as the word
+    /// [`Unsupported::NoLinks`] where the tree names no uncles, and [`Unsupported::TooDeep`] beyond as many edges as the word
     /// has bits.
     #[inline]
-    pub fn new(tree: &'t T) -> Result<Self, Unfit> {
+    pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         const { assert!(T::REACH.of(false) >= 2 && T::REACH.of(true) >= 2, "the climb needs grand uncles") };
-        Unfit::unless_linked(tree, Recorded::Uncles)?;
+        Unsupported::unless_linked(tree, Recorded::Uncles)?;
         W::carries(tree.depth(), 0)?;
         let (register, marks) = (Register::empty(tree), M::default());
         Ok(Self { tree, node: tree.root(), trail: W::zero(), register, marks })

@@ -10,11 +10,11 @@ use super::{Links, Node, Reach, Recorded, Topology, Uncles};
 /// to 3, else it does not compile).
 ///
 /// ```
-/// use stackless_bvh::traverse::{Afra, Unfit};
+/// use stackless_bvh::traverse::{Afra, Unsupported};
 /// use stackless_bvh::tree::{Linked, Recorded, Tree};
 ///
 /// let tree = Tree::new(&[Some([1, 2]), None, None])?;
-/// assert_eq!(Afra::<u32, _>::new(&tree).err(), Some(Unfit::NoLinks(Recorded::ParentSibling)));
+/// assert_eq!(Afra::<u32, _>::new(&tree).err(), Some(Unsupported::NoLinks(Recorded::ParentSibling)));
 /// assert!(Afra::<u32, _>::new(&Linked::parents(&tree)).is_ok());
 /// assert!(Afra::<u32, _>::new(&tree.with_links(Recorded::ParentSibling)).is_ok());
 /// # Ok::<(), stackless_bvh::tree::TreeError>(())

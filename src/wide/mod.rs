@@ -40,25 +40,25 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod kept;
 mod keys;
 mod links;
 pub mod oracle;
 mod pending;
+mod pending_store;
 mod restart;
 mod search;
 mod stack;
 mod table;
 mod tree;
 
-pub use kept::{Count, Kept, Level, Ranked, Trail, TrailWord, Words, back, leave};
 pub use keys::{ancestor_key, asked_keys, child_key, key_level};
 pub use links::{Hashed, Link, Parents, Recorded};
 pub use pending::Pending;
+pub use pending_store::{Count, PendingLevel, PendingStore, Ranked, StateView, Trail, TrailWord, back, leave};
 pub use restart::Restart;
 pub use search::{RankedChild, Ranks, Search, Wanted, is_beyond};
 pub use stack::{Memory, Stack};
-pub use table::{Context, Method, Scratch, Supply, Tables, Unfit};
+pub use table::{Context, Method, Scratch, Supply, Tables, Unsupported};
 pub use tree::{Topology, Tree, TreeError};
 
 use core::ops::ControlFlow;
@@ -105,7 +105,7 @@ pub trait Cursor<const A: usize> {
     /// What is kept of the node so many levels above the parent of the child that was named last, or above the node
     /// that was [entered](Self::enter) since; 0 for itself. `None` if nothing is kept by levels. For whoever shows or
     /// compares it.
-    fn words(&self, _up: u32) -> Option<Words> {
+    fn words(&self, _up: u32) -> Option<StateView> {
         None
     }
 

@@ -1,14 +1,14 @@
 //! The traversal without a stack: a pending set for each level.
 
-use super::kept::{Kept, Words};
 use super::links::Link;
+use super::pending_store::{PendingStore, StateView};
 use super::search::{RankedChild, Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
 use super::{Cursor, Next};
 use crate::key::TooDeep;
 use crate::tree::Node;
 
-/// A node, its pending children, what is [`Kept`] of the levels above, and a [`Link`] to the ancestors.
+/// A node, its pending children, what is [`PendingStore`] of the levels above, and a [`Link`] to the ancestors.
 /// `[WTRAIL-1]` `[WRECORD-1]` `[WHASHED-1]`
 #[derive(Debug)]
 pub struct Pending<K, L> {
@@ -33,7 +33,7 @@ impl<K, L> Pending<K, L> {
     #[inline(always)]
     pub fn new<const A: usize>(tree: &impl Topology<A>, kept: K, link: L) -> Result<Self, TooDeep>
     where
-        K: Kept<A>,
+        K: PendingStore<A>,
         L: Link<A>,
     {
         K::carries(tree.levels())?;
@@ -104,7 +104,7 @@ impl<K, L> Pending<K, L> {
 
 impl<const A: usize, K, L> Cursor<A> for Pending<K, L>
 where
-    K: Kept<A>,
+    K: PendingStore<A>,
     L: Link<A>,
 {
     #[inline(always)]
@@ -179,7 +179,7 @@ where
         self.kept.shortened();
     }
 
-    fn words(&self, up: u32) -> Option<Words> {
+    fn words(&self, up: u32) -> Option<StateView> {
         self.kept.words(up, self.set, self.nexts)
     }
 

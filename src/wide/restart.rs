@@ -1,7 +1,7 @@
 //! Vaidyanathan et al. 2019: a restart trail, and a short stack.
 
-use super::kept::Words;
 use super::keys::slot_bits;
+use super::pending_store::StateView;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
 use super::{Cursor, Next};
@@ -177,10 +177,10 @@ impl<const A: usize> Cursor<A> for Restart {
         self.step != Step::Down
     }
 
-    fn words(&self, up: u32) -> Option<Words> {
+    fn words(&self, up: u32) -> Option<StateView> {
         let below = if Cursor::<A>::is_restarting(self) { self.level - self.at } else { 0 };
         let is_last = self.done >> ((up + below) * number_bits::<A>()) & A as u128 != 0;
-        Some(Words::Number { number: self.number::<A>(up + below) as u32, is_last })
+        Some(StateView::Number { number: self.number::<A>(up + below) as u32, is_last })
     }
 }
 

@@ -1,9 +1,9 @@
 //! The table of traversals of wide trees.
 
-use super::kept::{Ranked, Trail};
 use super::keys::asked_keys;
 use super::links::{Hashed, Parents, Recorded};
 use super::pending::Pending;
+use super::pending_store::{Ranked, Trail};
 use super::restart::Restart;
 use super::search::Search;
 use super::stack::{Memory, Stack};
@@ -141,12 +141,12 @@ impl Method {
     /// Does something with this traversal: the one place where a name becomes a cursor.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     #[inline(always)]
     pub fn dispatch<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
         self,
         context: X,
-    ) -> Result<X::Output, Unfit> {
+    ) -> Result<X::Output, Unsupported> {
         match self {
             Self::Stack => context.run(|from| Ok(Stack::new(from.tree, &mut from.memory.stack))),
             Self::Trail => context.run(|from| Ok(Pending::new(from.tree, Trail::<u128>::default(), Parents)?)),
@@ -166,34 +166,34 @@ impl Method {
     #[inline(always)]
     pub(crate) fn recorded<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
         context: X,
-    ) -> Result<X::Output, Unfit> {
+    ) -> Result<X::Output, Unsupported> {
         context.run(|from| Ok(Pending::new(from.tree, &mut from.memory.ranked, Recorded)?))
     }
 
     /// Runs a search to its end, with memory of its own.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     pub fn run<const A: usize, T: Topology<A>>(
         self,
         tree: &T,
         tables: &Tables,
         search: &mut impl Search<A>,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
+    ) -> Result<(), Unsupported> {
         self.run_in(Supply { tree, tables, memory: &mut Scratch::default() }, search, recorder)
     }
 
     /// [`run`](Self::run) with memory that is kept from one search to the next.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     pub fn run_in<const A: usize, T: Topology<A>>(
         self,
         from: Supply<'_, T>,
         search: &mut impl Search<A>,
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
+    ) -> Result<(), Unsupported> {
         self.dispatch(Run { from, search, recorder })
     }
 }
@@ -220,7 +220,10 @@ pub trait Context<'t, const A: usize, T: 't> {
     ///
     /// # Errors
     /// Those of `start`.
-    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unfit>) -> Result<Self::Output, Unfit>;
+    fn run<C: Cursor<A>>(
+        self,
+        start: impl Fn(Supply<'t, T>) -> Result<C, Unsupported>,
+    ) -> Result<Self::Output, Unsupported>;
 }
 
 struct Run<'t, 'a, T, S, R> {
@@ -233,7 +236,7 @@ impl<'t, const A: usize, T: Topology<A>, S: Search<A>, R: Recorder> Context<'t, 
     type Output = ();
 
     #[inline(always)]
-    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unsupported>) -> Result<(), Unsupported> {
         let tree = self.from.tree;
         traverse(tree, start(self.from)?, self.search, self.recorder);
         Ok(())
@@ -243,12 +246,12 @@ impl<'t, const A: usize, T: Topology<A>, S: Search<A>, R: Recorder> Context<'t, 
 /// What traversals need beside a tree.
 #[derive(Clone, Debug)]
 pub struct Tables {
-    hash: Result<PerfectHash, Unfit>,
+    hash: Result<PerfectHash, Unsupported>,
 }
 
 impl Tables {
     /// Nothing: [`Method::Hashed`] is unfit.
-    pub const NONE: Self = Self { hash: Err(Unfit::NoTable) };
+    pub const NONE: Self = Self { hash: Err(Unsupported::NoTable) };
 
     /// The tables of a tree.
     pub fn new<const A: usize>(tree: &impl Topology<A>) -> Self {
@@ -257,7 +260,7 @@ impl Tables {
         if levels > limit {
             return Self { hash: Err(TooDeep { depth: levels, limit, word: "a key of 64 bits" }.into()) };
         }
-        Self { hash: PerfectHash::of_keys(&asked_keys(tree)).map_err(Unfit::NoHash) }
+        Self { hash: PerfectHash::of_keys(&asked_keys(tree)).map_err(Unsupported::NoHash) }
     }
 
     /// What one traversal needs of them.
@@ -270,7 +273,7 @@ impl Tables {
     /// # Errors
     /// Why there is none.
     #[inline(always)]
-    pub fn hash(&self) -> Result<&PerfectHash, Unfit> {
+    pub fn hash(&self) -> Result<&PerfectHash, Unsupported> {
         self.hash.as_ref().map_err(|unfit| *unfit)
     }
 
@@ -282,7 +285,7 @@ impl Tables {
 
 /// Why a traversal does not fit a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfit {
+pub enum Unsupported {
     /// The tree has too many levels.
     TooDeep(TooDeep),
     /// The table of keys was not made.
@@ -291,13 +294,13 @@ pub enum Unfit {
     NoHash(BuildError),
 }
 
-impl From<TooDeep> for Unfit {
+impl From<TooDeep> for Unsupported {
     fn from(error: TooDeep) -> Self {
         Self::TooDeep(error)
     }
 }
 
-impl core::fmt::Display for Unfit {
+impl core::fmt::Display for Unsupported {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::TooDeep(TooDeep { depth, limit, word }) => {
@@ -309,7 +312,7 @@ impl core::fmt::Display for Unfit {
     }
 }
 
-impl core::error::Error for Unfit {}
+impl core::error::Error for Unsupported {}
 
 /// Memory that traversals use one after the other.
 #[derive(Clone, Debug, Default)]

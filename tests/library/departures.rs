@@ -11,7 +11,7 @@ use std::path::PathBuf;
 
 use stackless_bvh::generate::{Cell, Exhaustive, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::order::{ByNode, Descent, FixedOrder, SignOrder, Whole};
+use stackless_bvh::order::{ByNode, Descent, FixedOrder, SignOrder, Unpruned};
 use stackless_bvh::traverse::{Cursor, Hapala, Method, Test, WordName, traverse_pruned};
 use stackless_bvh::tree::{Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{swap, trail};
@@ -78,7 +78,7 @@ impl Printed {
                     if !tree.root().is_leaf() {
                         hapala.descend(Descent::both(order.first(tree.root())));
                     }
-                    traverse_pruned(hapala, &mut Whole(ByNode { test: search, order }), watch);
+                    traverse_pruned(hapala, &mut Unpruned(ByNode { test: search, order }), watch);
                 }
                 Self::FoundBeyondEnd => disjoint::traverse(case, search, Marks::BeyondEnd, watch)?,
             }

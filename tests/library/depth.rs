@@ -6,7 +6,7 @@ use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tape, shape};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
-use stackless_bvh::traverse::{Afra, Cuts, Method, Split, Stack, Unfit, traverse};
+use stackless_bvh::traverse::{Afra, Cuts, Method, Split, Stack, Unsupported, traverse};
 use stackless_bvh::tree::{Linked, Node, Topology, Tree};
 use stackless_check::{Battery, Case, CaseOptions, Pieces, Verdict};
 
@@ -37,7 +37,7 @@ fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
                 assert!(depth <= carried, "{method} {} carries {depth}", W::NAME);
                 true
             }
-            Verdict::Refused(Unfit::TooDeep(error)) => {
+            Verdict::Refused(Unsupported::TooDeep(error)) => {
                 assert_eq!((error.depth, error.limit, error.word), (depth, carried, W::NAME), "{method}");
                 assert!(depth > carried, "{method} {} refuses {depth}", W::NAME);
                 false

@@ -7,8 +7,8 @@ use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape, pro
 use stackless_bvh::geom::Mesh;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use stackless_bvh::trace::{Any, Ask, BinaryTracer, Closest, NodeSearch, Part, Plan, RayQueries, Truth};
-use stackless_bvh::traverse::{Method, Tables, Unfit};
+use stackless_bvh::trace::{Any, BinaryTracer, Closest, NodeSearch, Part, Plan, QueryKind, RayQueries, Truth};
+use stackless_bvh::traverse::{Method, Tables, Unsupported};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::Case;
 
@@ -82,13 +82,13 @@ impl Pruned for Marked<'_, '_> {
 /// Runs a traversal with a second trail over a case.
 ///
 /// # Errors
-/// [`Unfit`], where the tree is too deep.
+/// [`Unsupported`], where the tree is too deep.
 pub(crate) fn traverse(
     case: &Case,
     search: &mut Search<'_, Tree>,
     marks: Marks,
     recorder: &mut impl Recorder,
-) -> Result<(), Unfit> {
+) -> Result<(), Unsupported> {
     let method = Method::HashedDisjoint;
     let tables = Tables::new(&case.tree, case.tape.axes(), &[method], 0);
     tables.run::<u64, _>(method, 0, &mut Vec::new(), &mut Marked { case, search, marks }, recorder)
@@ -183,9 +183,9 @@ fn searches_without_order_are_refused() {
         };
         assert_eq!(run(&bvh, false), Ok(()), "{method}");
         // The order is not that along the ray.
-        assert_eq!(run(&bvh, true), Err(Unfit::Unordered), "{method}");
+        assert_eq!(run(&bvh, true), Err(Unsupported::Unordered), "{method}");
         // Hits may lie outside the leaves' boxes, and the boxes are not there. Distances need none.
-        let expected = if method == Method::StackT0 { Ok(()) } else { Err(Unfit::Unordered) };
+        let expected = if method == Method::StackT0 { Ok(()) } else { Err(Unsupported::Unordered) };
         assert_eq!(run(&split, false), expected, "{method}");
     }
 }
@@ -198,7 +198,7 @@ fn rays_through_triangles_in_parts() {
     let rays = procedural::rays(&mesh, 5, 3000);
     let bvh = in_parts(&mesh);
     for method in [Method::HashedDisjoint, Method::UncleDisjoint, Method::StackT0] {
-        let plan = Plan::new(&bvh, method, Ask::Hit);
+        let plan = Plan::new(&bvh, method, QueryKind::Hit);
         assert_eq!(plan.skips(Part::OwnBoxes), method == Method::StackT0);
         let tracer = BinaryTracer::planned(&bvh, &plan).expect("a tracer");
         for ray in &rays {

@@ -155,7 +155,7 @@ const UNCHECKED: &[(&str, &[&str])] = &[
             "trace/boundary.rs: of",
             "trace/continuation.rs: new",
             "trace/crossings.rs: new",
-            "trace/forms.rs: new",
+            "trace/kernel_bvhs.rs: new",
             "trace/instances.rs: new",
             "trace/instances.rs: with_methods",
             "trace/nearest.rs: new",

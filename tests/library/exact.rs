@@ -4,7 +4,7 @@ use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::{Exact, Exact64};
-use stackless_bvh::geom::slabs::{Directed, Wide};
+use stackless_bvh::geom::slabs::{Directed, Slabs64};
 use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs, Triangle, Vector};
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftOrder, SignOrder};
@@ -103,7 +103,7 @@ fn a_hierarchy_that_does_not_hold_the_mesh() {
     let moved = Mesh::new(vertices, mesh.triangles().to_vec()).unwrap();
     let ray = |ray: &Ray| Ray::new(far(ray.origin()), ray.direction().as_dvec3()).unwrap();
     let rays: Vec<_> = rays.iter().map(ray).collect();
-    other_meshes_are_seen::<Exact64, Wide, _>(&moved, &rays, |vertex| vertex + 0.001);
+    other_meshes_are_seen::<Exact64, Slabs64, _>(&moved, &rays, |vertex| vertex + 0.001);
 }
 
 fn other_meshes_are_seen<K, B, V>(mesh: &Mesh<V>, rays: &[Ray<V>], away: impl Fn(V) -> V)

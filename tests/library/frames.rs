@@ -7,12 +7,12 @@ use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
 use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::slabs::Wide;
+use stackless_bvh::geom::slabs::Slabs64;
 use stackless_bvh::geom::{Mesh, Ray, Triangle};
 use stackless_bvh::trace::{self, BinaryTracer, MeshQueries, RayQueries, TrueHit, Truth};
 use stackless_bvh::traverse::Method;
 
-type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Wide>;
+type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Slabs64>;
 
 /// A scale, and a shift in parts of it: where single precision is too coarse or too narrow, and where it is not.
 const PLACES: [(f64, f64); 9] = [

@@ -18,7 +18,7 @@ use stackless_bvh::trace::{
 };
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide::{self, Topology};
-use stackless_check::{Flat, Hierarchies, Shape, check_answer, check_instances};
+use stackless_check::{Hierarchies, InstanceOracle, Shape, check_answer, check_instances};
 
 fn options(builder: Builder, max_leaf: u32) -> BuildOptions {
     BuildOptions { builder, sah: SahOptions { max_leaf, ..SahOptions::default() }, ..BuildOptions::default() }
@@ -40,7 +40,7 @@ fn assembly<V: Precision>(built: &Hierarchies<V>, scene: &Scene<V>) -> (Assembly
 }
 
 /// Draws up to `n` rays: at corners, edges and insides of triangles, along the axes through corners, and from corner to corner.
-fn rays<V: Precision>(flat: &Flat<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
+fn rays<V: Precision>(flat: &InstanceOracle<V>, rng: &mut Rng, n: usize) -> Vec<Ray<V>> {
     let corners: Vec<_> = flat.corners().map(|corners| corners.map(Vector::widen)).collect();
     let all = corners.iter().flatten();
     let (lo, hi) = all.fold((DVec3::MAX, DVec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
@@ -90,7 +90,7 @@ fn cut<V: Precision>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<
 fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     let (mut hits, mut several, mut asked, mut deep, mut tracers) = (0, 0, 0, 0, 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
-        let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(seed as u64));
+        let (flat, mut rng) = (InstanceOracle::new(&scene.shapes), Rng::new(seed as u64));
         let mut cases: Vec<_> = rays(&flat, &mut rng, 18).into_iter().map(|ray| (ray, flat.all(&ray))).collect();
         let cut: Vec<_> =
             cases.iter().take(10).filter_map(|(ray, hits)| hits.first().map(|hit| cut(ray, hit))).flatten().collect();
@@ -109,7 +109,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
                     let tracer = match InstanceTracer::with_methods(&assembly, root, groups, meshes) {
                         Ok(tracer) => tracer,
                         // `complete` on other trees, and traversals that want searches of another kind.
-                        Err(InstanceError::Unfit { .. }) => continue,
+                        Err(InstanceError::Unsupported { .. }) => continue,
                         Err(error) => panic!("{error}"),
                     };
                     tracers += 1;
@@ -152,7 +152,7 @@ fn answers_are_those_of_rational_arithmetic_in_double() {
 fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
     let (mut counts, mut asked) = ([0; 4], 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
-        let (flat, mut rng) = (Flat::new(&scene.shapes), Rng::new(1000 + seed as u64));
+        let (flat, mut rng) = (InstanceOracle::new(&scene.shapes), Rng::new(1000 + seed as u64));
         let tracer = |built: Hierarchies<V>| {
             let (assembly, root) = assembly(&built, scene);
             InstanceTracer::new(&assembly, root, Method::Hashed).expect("any tree")
@@ -382,7 +382,7 @@ fn rationals_are_for_what_is_met_and_not_known() {
         let mut shapes = vec![Shape::Mesh(mesh.clone())];
         shapes.extend((0..4).map(|below| Shape::Group(vec![(below, map)])));
         let scene = Scene { name: format!("{rows:?}"), shapes };
-        let flat = Flat::new(&scene.shapes);
+        let flat = InstanceOracle::new(&scene.shapes);
         let (assembly, object) = assembly(&hierarchies(&scene, Builder::Standard, 1), &scene);
         let tracer = InstanceTracer::new(&assembly, object, Method::default()).expect("any tree");
         let mut rays = Vec::new();

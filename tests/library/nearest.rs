@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
 use stackless_bvh::generate::{Rng, Source, procedural, stress};
 use stackless_bvh::geom::kernel::{Exact, Exact64, Parity};
-use stackless_bvh::geom::slabs::{Directed, Wide};
+use stackless_bvh::geom::slabs::{Directed, Slabs64};
 use stackless_bvh::geom::{Ball, Mesh, Real, Slabs, Triangle, Vector};
 use stackless_bvh::trace::{BinaryTracer, MeshQueries, Near};
 use stackless_bvh::traverse::Method;
@@ -134,7 +134,7 @@ where
 #[test]
 fn every_traversal_finds_the_nearest_triangles() {
     check_traversals::<Exact, Directed, _>(&meshes_of_all_kinds());
-    check_traversals::<Exact64, Wide, _>(&double_meshes());
+    check_traversals::<Exact64, Slabs64, _>(&double_meshes());
 }
 
 /// One, none, a few and all of the nearest, over both kinds of trees. Returns how often two distances were one.
@@ -170,7 +170,7 @@ where
 fn the_nearest_of_thousands_of_points_are_the_truth() {
     let ties = check::<Exact, Directed, _>(&meshes_of_all_kinds(), 3000);
     assert!(ties > 500, "{ties}");
-    let ties = check::<Exact64, Wide, _>(&double_meshes(), 3000);
+    let ties = check::<Exact64, Slabs64, _>(&double_meshes(), 3000);
     assert!(ties > 500, "{ties}");
 }
 
@@ -178,7 +178,7 @@ fn the_nearest_of_thousands_of_points_are_the_truth() {
 #[ignore = "the same with more points, some minutes: cargo test --test library -- --ignored hundred_thousand"]
 fn the_nearest_of_a_hundred_thousand_points_are_the_truth() {
     assert!(check::<Exact, Directed, _>(&meshes_of_all_kinds(), 100_000) > 20_000);
-    assert!(check::<Exact64, Wide, _>(&double_meshes(), 100_000) > 20_000);
+    assert!(check::<Exact64, Slabs64, _>(&double_meshes(), 100_000) > 20_000);
 }
 
 fn check_distances<V: Vector>(meshes: &[Mesh<V>], points: usize) {

@@ -3,7 +3,7 @@
 use arbitrary::Unstructured;
 use proptest::prelude::*;
 use stackless_bvh::generate::{Family, Kind, Rng};
-use stackless_bvh::traverse::{Method, Unfit, WordName};
+use stackless_bvh::traverse::{Method, Unsupported, WordName};
 use stackless_bvh::tree::Topology;
 use stackless_check::{Battery, Case, CaseOptions, Fault, Plan, Replay, Verdict, boundary_cases, check_random, shrink};
 
@@ -67,7 +67,7 @@ fn words_end_at_their_depths_and_no_sooner() {
             match battery.check(method, word) {
                 Verdict::Differs(fault) => panic!("{method} {word} at depth {depth}: {fault}"),
                 Verdict::Agrees { .. } => assert!(depth <= limit, "{method} {word} accepts depth {depth}"),
-                Verdict::Refused(Unfit::TooDeep(error)) => {
+                Verdict::Refused(Unsupported::TooDeep(error)) => {
                     assert_eq!((error.depth, error.limit, error.word), (depth, limit, word.name()), "{method}");
                     assert!(depth > limit, "{method} {word} refuses depth {depth}");
                 }
@@ -111,7 +111,7 @@ fn comb(depth: u32, rng: &mut Rng, of: impl Fn(Method) -> bool) -> Case {
                 assert!(word == WordName::Grow || !method.has_words(), "{method} {word}");
                 assert_eq!(steps, 2 * u64::from(depth) + 1, "{method}");
             }
-            Verdict::Refused(Unfit::TooDeep(error)) => {
+            Verdict::Refused(Unsupported::TooDeep(error)) => {
                 assert!(error.to_string().starts_with(&format!("the tree is {depth} edges deep, ")), "{error}");
                 assert_ne!(word, WordName::Grow);
             }

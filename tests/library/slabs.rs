@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use stackless_bvh::generate::draw::Draw;
-use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slabs, TwoSided, Wide};
+use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slabs, Slabs64, TwoSided};
 use stackless_bvh::geom::{Aabb, EnclosedRay, Interval, Ray, Region, truth};
 use stackless_check::check_slabs;
 
@@ -121,7 +121,7 @@ proptest! {
         prop_assert!(hit || !touches(&ray, &aabb));
         let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
         let wide = Ray::within(o, d, ray.tmin().into(), ray.tmax().into()).expect("a ray");
-        let hit = Wide::new(&wide, &Region::of(&aabb)).one(&aabb, wide.tmax()).is_some();
+        let hit = Slabs64::new(&wide, &Region::of(&aabb)).one(&aabb, wide.tmax()).is_some();
         prop_assert!(hit || !touches(&ray, &aabb));
     }
 
@@ -149,7 +149,7 @@ proptest! {
             prop_assert!(is_right(Directed::new(&ray, &region).one(&aabb, f32::INFINITY)));
             prop_assert!(is_right(EnclosedSlabs::new(&ray, &region).one(&aabb, f32::INFINITY)));
             let [o, d] = [ray.origin(), ray.direction()].map(Vec3::as_dvec3);
-            let wide = Wide::new(&Ray::new(o, d).expect("a ray"), &region);
+            let wide = Slabs64::new(&Ray::new(o, d).expect("a ray"), &region);
             prop_assert!(is_right(wide.one(&aabb, f64::INFINITY).map(|near| near as f32)));
         }
     }
@@ -233,6 +233,6 @@ fn rays_in_double_precision_beyond_its_range_hit_what_they_touch() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
     for (o, d) in [(DVec3::new(-1e300, 0.5, 0.5), DVec3::X), (DVec3::splat(-1.0), DVec3::splat(1e-300))] {
         let ray = Ray::new(o, d).expect("a ray");
-        assert!(Wide::new(&ray, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
+        assert!(Slabs64::new(&ray, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
     }
 }

@@ -9,8 +9,8 @@ use stackless_bvh::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{
-    Afra, Beside, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused,
-    PruningStack, Sparse, Split, Stack, Tables, Test, Unfit, WordName, traverse, traverse_pruned,
+    Afra, AuxTables, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused,
+    PruningStack, Sparse, Split, Stack, Tables, Test, Unsupported, WordName, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree};
 use stackless_check::{Case, CaseOptions};
@@ -232,7 +232,7 @@ fn every_method_runs_by_its_name_in_every_word() {
             let is_fit = method != Method::Complete || is_complete;
             assert_eq!((result.is_ok(), trace.nodes().is_empty()), (is_fit, !is_fit), "{method}");
             if word == WordName::Grow && method.restarts() {
-                assert_eq!(run(Some(word)).0, Err(Unfit::NoSuchWord { word: "grow" }));
+                assert_eq!(run(Some(word)).0, Err(Unsupported::NoSuchWord { word: "grow" }));
             } else {
                 assert_eq!(run(Some(word)), (result, trace), "{method} {word}");
             }
@@ -269,7 +269,7 @@ fn tables_have_the_bytes_of_their_parts() {
     let inner = (1..leaves).map(|i| Some([2 * i - 1, 2 * i]));
     let tree = Tree::new(&inner.chain((0..leaves).map(|_| None)).collect::<Vec<_>>()).unwrap();
     let axes = vec![0; 15];
-    let bytes = |methods: &[Method]| Beside::new(&tree, &axes, methods, 13).bytes();
+    let bytes = |methods: &[Method]| AuxTables::new(&tree, &axes, methods, 13).bytes();
     let sole = [
         (Method::Stack, 0),
         (Method::Sparse, 8 * 15),
@@ -289,7 +289,7 @@ fn tables_have_the_bytes_of_their_parts() {
     // Parents and uncles are shared.
     let shared = 8 * 15 + 12 * 15;
     assert_eq!(bytes(&Method::ALL), sole.iter().map(|(_, bytes)| bytes).sum::<usize>() - shared);
-    let deep = Beside::new(&tree, &axes, &[Method::LeftFirst], 2).bytes();
+    let deep = AuxTables::new(&tree, &axes, &[Method::LeftFirst], 2).bytes();
     assert_eq!(deep, KeyMap::of(&tree).bytes());
 }
 

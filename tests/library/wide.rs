@@ -13,8 +13,8 @@ use stackless_bvh::order::{Flow, Side, Visitor};
 use stackless_bvh::traverse::{self, Afra};
 use stackless_bvh::tree::{self, Node};
 use stackless_bvh::wide::{
-    Kept, Method, RankedChild, Search, Tables, Topology, Trail, TrailWord, Tree, Unfit, Wanted, Words, asked_keys,
-    key_level,
+    Method, PendingStore, RankedChild, Search, StateView, Tables, Topology, Trail, TrailWord, Tree, Unsupported,
+    Wanted, asked_keys, key_level,
 };
 use stackless_check::WideCase;
 
@@ -103,7 +103,7 @@ fn at_the_limits<const A: usize>(limits: &[u32]) {
             };
             match method.run(&tree, &tables, &mut Nothing, &mut ()) {
                 Ok(()) => assert!(levels <= limit, "{method} accepts level {levels}"),
-                Err(Unfit::TooDeep(error)) => {
+                Err(Unsupported::TooDeep(error)) => {
                     assert_eq!(error.depth, levels);
                     assert!(levels > limit && error.limit < levels, "{method} refuses level {levels}: {error}");
                 }
@@ -178,10 +178,10 @@ fn an_end_far_below_counts_at_all_levels() {
 /// A trail is a list of pending sets and of dirty bits, as deep as it carries. A node 64 levels up has none: it counts as
 /// dirty.
 fn a_trail_is_a_list<const A: usize, W: TrailWord>(mut trail: Trail<W>) {
-    let (mut rng, levels) = (Rng::new(A as u64), <Trail<W> as Kept<A>>::LEVELS as usize);
+    let (mut rng, levels) = (Rng::new(A as u64), <Trail<W> as PendingStore<A>>::LEVELS as usize);
     let nexts = [RankedChild::NONE; 2];
     for walk in 0..90 {
-        Kept::<A>::clear(&mut trail);
+        PendingStore::<A>::clear(&mut trail);
         let (mut above, mut is_dirty) = (Vec::new(), false);
         for _ in 0..2 * levels + 20 {
             match rng.below(16) {
@@ -190,15 +190,15 @@ fn a_trail_is_a_list<const A: usize, W: TrailWord>(mut trail: Trail<W>) {
                     for (_, is_dirty) in &mut above {
                         *is_dirty = true;
                     }
-                    Kept::<A>::shortened(&mut trail);
+                    PendingStore::<A>::shortened(&mut trail);
                 }
                 1 => {
                     is_dirty = false;
-                    Kept::<A>::asked(&mut trail);
+                    PendingStore::<A>::asked(&mut trail);
                 }
                 2 => {
                     let level = above.iter().rposition(|&(pending, _)| pending != 0);
-                    let popped = Kept::<A>::pop(&mut trail, 0);
+                    let popped = PendingStore::<A>::pop(&mut trail, 0);
                     assert_eq!(popped.map(|popped| above.len() - popped.up as usize), level);
                     let Some(popped) = popped else { continue };
                     let pending;
@@ -214,15 +214,15 @@ fn a_trail_is_a_list<const A: usize, W: TrailWord>(mut trail: Trail<W>) {
                     if let Some(beyond) = above.len().checked_sub(64) {
                         above[beyond].1 = true;
                     }
-                    Kept::<A>::push(&mut trail, pending, nexts);
+                    PendingStore::<A>::push(&mut trail, pending, nexts);
                 }
                 _ => {}
             }
             for (up, &(pending, is_dirty)) in above.iter().chain([&(1, is_dirty)]).rev().enumerate() {
-                let found = Kept::<A>::words(&trail, up as u32, 1, nexts);
-                assert_eq!(found, Some(Words::Trail { pending, is_dirty }), "{up} of {}", above.len());
+                let found = PendingStore::<A>::words(&trail, up as u32, 1, nexts);
+                assert_eq!(found, Some(StateView::Trail { pending, is_dirty }), "{up} of {}", above.len());
             }
-            assert_eq!(Kept::<A>::is_stale(&trail), is_dirty);
+            assert_eq!(PendingStore::<A>::is_stale(&trail), is_dirty);
         }
     }
 }

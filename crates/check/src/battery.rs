@@ -8,10 +8,10 @@ use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
-use stackless_bvh::order::{ByNode, LeftOrder, Pruned, Pruning, SignOrder, Whole};
+use stackless_bvh::order::{ByNode, LeftOrder, Pruned, Pruning, SignOrder, Unpruned};
 use stackless_bvh::traverse::{
-    Beside, Method, PruningStack, Stack, Tables, Test, Unfit, VerifiedTables, WithWord, WordName, traverse_pruned,
-    with_word,
+    AuxTables, Method, PruningStack, Stack, Tables, Test, Unsupported, VerifiedTables, WithWord, WordName,
+    traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
@@ -24,7 +24,7 @@ pub enum Verdict<F = Fault> {
         steps: u64,
     },
     /// It does not run on this tree in this word, and said so before the first step.
-    Refused(Unfit),
+    Refused(Unsupported),
     /// It differs.
     Differs(F),
 }
@@ -56,7 +56,7 @@ impl<'c> Battery<'c> {
     /// Prepares a case for some traversals.
     pub fn new(case: &'c Case, methods: &[Method]) -> Self {
         let octants = case.octant..case.octant.saturating_add(1);
-        let beside = Beside::for_octants(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH, octants);
+        let beside = AuxTables::for_octants(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH, octants);
         let keys = Arc::new(Keys::of(&case.tree));
         Self {
             case,
@@ -87,7 +87,7 @@ impl<'c> Battery<'c> {
             &mut Watch<'_>,
             &VerifiedTables<'c, Tree>,
             &mut Vec<Node>,
-        ) -> Result<(), Unfit>,
+        ) -> Result<(), Unsupported>,
     ) -> Verdict {
         let case = self.case;
         if test.pruning() != Pruning::Never
@@ -161,11 +161,11 @@ impl Oracle {
             Test::Children | Test::Disjoint | Test::Distance => Self::trace(tree, test, &mut search, memory),
             Test::NodeLeftFirst => {
                 let by_node = ByNode { test: &mut search, order: LeftOrder };
-                Self::trace(tree, test, &mut Whole(by_node), memory)
+                Self::trace(tree, test, &mut Unpruned(by_node), memory)
             }
             Test::NodeBySign => {
                 let order = SignOrder { axes: case.tape.axes(), octant: case.octant };
-                Self::trace(tree, test, &mut Whole(ByNode { test: &mut search, order }), memory)
+                Self::trace(tree, test, &mut Unpruned(ByNode { test: &mut search, order }), memory)
             }
         };
         Self { trace, outcome: search.outcome }

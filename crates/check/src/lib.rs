@@ -5,7 +5,7 @@
 //! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
 //!
 //! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`],
-//! [`check_slabs`], [`check_trees`], [`Flat`]. Each takes its inputs from whoever drives it.
+//! [`check_slabs`], [`check_trees`], [`InstanceOracle`]. Each takes its inputs from whoever drives it.
 
 #![forbid(unsafe_code)]
 
@@ -13,7 +13,7 @@ mod all;
 mod battery;
 mod boxes;
 mod case;
-mod flat;
+mod instance_oracle;
 mod kernels;
 mod paths;
 mod pauses;
@@ -36,7 +36,9 @@ pub use all::AllCases;
 pub use battery::{Battery, Verdict};
 pub use boxes::{BoxTally, check_boxes};
 pub use case::{Case, CaseOptions};
-pub use flat::{Flat, Hierarchies, InstanceFault, Shape, check_answer, check_instances, in_single};
+pub use instance_oracle::{
+    Hierarchies, InstanceFault, InstanceOracle, Shape, check_answer, check_instances, in_single,
+};
 pub use kernels::{GeometryFault, check_degenerate, check_distance, check_slabs, check_triangle};
 pub use paths::{Exactly, Heading, Leg, Path, PathFault, check_path};
 pub use pauses::{GoOn, PauseFault, Pauses, Start, Way};

@@ -9,7 +9,7 @@ use stackless_bvh::geom::truth::{RBig, round_f32};
 use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Mesh};
 use stackless_bvh::trace::{InstanceHit, InstanceTracer};
 
-use crate::flat::meet;
+use crate::instance_oracle::meet;
 
 /// Where a path goes on from where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use stackless_bvh::hash::{BuildError, KeyMap, KeySet, Options, PerfectHash, Sizi
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{self, ByNode, FixedOrder, NodeTest, Pruned};
 use stackless_bvh::traverse::{
-    Context, Cursor, Cuts, Method, Piece, PieceTable, Skips, Split, Supply, Unfit, traverse, traverse_pruned,
+    Context, Cursor, Cuts, Method, Piece, PieceTable, Skips, Split, Supply, Unsupported, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::{Node, Reach, Topology};
 
@@ -57,13 +57,13 @@ impl<'c, T: Topology> Pieces<'c, T> {
     /// Runs one search.
     ///
     /// # Errors
-    /// [`Unfit`], before the first step.
+    /// [`Unsupported`], before the first step.
     pub fn run<W: KeyWord>(
         &'c self,
         method: Method,
         search: &mut (impl Pruned + NodeTest),
         recorder: &mut impl Recorder,
-    ) -> Result<(), Unfit> {
+    ) -> Result<(), Unsupported> {
         method.dispatch::<W, _>(InPieces { pieces: self, search, recorder })
     }
 }
@@ -96,33 +96,33 @@ impl<'c, W: KeyWord, T: Topology> Supply<'c, W> for OfPiece<'c, T> {
         order::LeftOrder
     }
 
-    fn reached_keys(&self) -> Result<Self::Hash, Unfit> {
+    fn reached_keys(&self) -> Result<Self::Hash, Unsupported> {
         Ok(&self.pieces.hashes[self.piece.number()])
     }
 
-    fn all_keys(&self) -> Result<Self::Hash, Unfit> {
+    fn all_keys(&self) -> Result<Self::Hash, Unsupported> {
         Ok(&self.pieces.full_hashes[self.piece.number()])
     }
 
-    fn layout(&self) -> Result<Self::Layout, Unfit> {
+    fn layout(&self) -> Result<Self::Layout, Unsupported> {
         Ok(&self.pieces.maps[self.piece.number()])
     }
 
     /// Pieces need not be complete.
-    fn complete(&self) -> Result<Self::Complete, Unfit> {
-        Err(Unfit::NoTable)
+    fn complete(&self) -> Result<Self::Complete, Unsupported> {
+        Err(Unsupported::NoTable)
     }
 
-    fn chains(&self) -> Result<Self::Chains, Unfit> {
+    fn chains(&self) -> Result<Self::Chains, Unsupported> {
         Ok(&self.pieces.maps[self.piece.number()])
     }
 
-    fn skips(&self) -> Result<&'c Skips, Unfit> {
-        Err(Unfit::NoTable)
+    fn skips(&self) -> Result<&'c Skips, Unsupported> {
+        Err(Unsupported::NoTable)
     }
 
-    fn skips_by_sign(&self) -> Result<&'c Skips, Unfit> {
-        Err(Unfit::NoTable)
+    fn skips_by_sign(&self) -> Result<&'c Skips, Unsupported> {
+        Err(Unsupported::NoTable)
     }
 }
 
@@ -142,7 +142,7 @@ where
     type From = OfPiece<'c, T>;
     type Output = ();
 
-    fn by_parent<C: Cursor>(self, start: impl Fn(OfPiece<'c, T>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn by_parent<C: Cursor>(self, start: impl Fn(OfPiece<'c, T>) -> Result<C, Unsupported>) -> Result<(), Unsupported> {
         let Self { pieces, search, recorder } = self;
         let mut waiting = Vec::new();
         let split = Split::new(pieces.cuts, &mut waiting, |piece| start(OfPiece { pieces, piece }))?;
@@ -152,8 +152,8 @@ where
 
     fn by_node<C: Cursor, O: FixedOrder>(
         self,
-        start: impl Fn(OfPiece<'c, T>) -> Result<(C, O), Unfit>,
-    ) -> Result<(), Unfit> {
+        start: impl Fn(OfPiece<'c, T>) -> Result<(C, O), Unsupported>,
+    ) -> Result<(), Unsupported> {
         let Self { pieces, search, recorder } = self;
         let (_, order) = start(OfPiece { pieces, piece: pieces.cuts.top() })?;
         let mut waiting = Vec::new();

@@ -15,7 +15,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Flow, LeftOrder, SignOrder};
 use stackless_bvh::trace::{FromLeft, Hit, NodeSearch, Query, Truth};
-use stackless_bvh::traverse::{Beside, Method, Tables, Test, Unfit, WordName};
+use stackless_bvh::traverse::{AuxTables, Method, Tables, Test, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy over a mesh with all that its check needs.
@@ -68,8 +68,8 @@ impl<'m, V: Vector> SceneTree<'m, V> {
         &self,
         ray: &Ray<V>,
         any: bool,
-        run: impl FnOnce(&mut dyn Query, &mut Watch<'_, V>) -> Result<(), Unfit>,
-    ) -> Result<(Seen<V::Real>, u64), Unfit> {
+        run: impl FnOnce(&mut dyn Query, &mut Watch<'_, V>) -> Result<(), Unsupported>,
+    ) -> Result<(Seen<V::Real>, u64), Unsupported> {
         let mut watch = Watch { scene: self, seen: Seen::default(), steps: 0 };
         let hit = if any {
             let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
@@ -125,7 +125,7 @@ where
     V: Vector,
 {
     let tree = scene.bvh.tree();
-    let beside = Beside::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT);
+    let beside = AuxTables::new(tree, tree.axes(), &plan.methods, Implicit::LIMIT);
     let tables = Tables::verified(tree, tree.axes(), beside, Arc::clone(&scene.keys));
     let pairs = plan.pairs();
     let check_ray = |(number, &ray): (usize, &Ray<V>)| {

@@ -5,12 +5,13 @@ use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, Wid
 use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::lanes;
-use stackless_bvh::geom::slabs::Wide;
+use stackless_bvh::geom::slabs::Slabs64;
 use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs};
 use stackless_bvh::trace::{
-    BinaryTracer, Form, Hit, KernelName, NodeSearch, Query, RayQueries, SlabsName, Tracer, Truth, WithTests, with_tests,
+    BinaryTracer, Hit, KernelName, KernelShape, NodeSearch, Query, RayQueries, SlabsName, Tracer, Truth, WithTests,
+    with_tests,
 };
-use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
+use stackless_bvh::traverse::{Method, Tables, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
 use stackless_bvh::wide;
 
@@ -70,7 +71,7 @@ impl<'c> Stress<'c> {
     ///
     /// # Errors
     /// A traversal that does not run at all.
-    pub fn run(&self, tests: (KernelName, SlabsName), methods: &[Method]) -> Result<Errors, Unfit> {
+    pub fn run(&self, tests: (KernelName, SlabsName), methods: &[Method]) -> Result<Errors, Unsupported> {
         with_tests(tests, Run { stress: self, methods })
     }
 
@@ -93,7 +94,7 @@ impl<'c> Stress<'c> {
             for (tree, is_complete) in trees.into_iter().zip([false, true]) {
                 let bvh = tree.map_err(|error| error.to_string())?;
                 for &method in methods.iter().filter(|&&method| is_complete || method != Method::Complete) {
-                    let tracer = BinaryTracer::<_, Exact64, Wide>::with_tests(&bvh, method);
+                    let tracer = BinaryTracer::<_, Exact64, Slabs64>::with_tests(&bvh, method);
                     let tracer = tracer.map_err(|unfit| format!("{method}: {unfit}"))?;
                     let answers = tracer.closest_each(rays).into_iter().zip(tracer.any_each(rays));
                     for (i, (closest, any)) in answers.enumerate() {
@@ -193,9 +194,9 @@ impl<'t, R: Copy> Findings<'t, R> {
 }
 
 impl WithTests for Run<'_> {
-    type Output = Result<Errors, Unfit>;
+    type Output = Result<Errors, Unsupported>;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+    fn call<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
         let Stress { case, truth, trees } = self.stress;
         let (mut found, mut memory) = (Findings::new(truth, floats_between), Vec::new());
         for (tree, is_complete) in trees.iter().zip([false, true, false]) {

@@ -1,7 +1,7 @@
 //! Counts of a check, by traversal and word.
 
 use super::Verdict;
-use stackless_bvh::traverse::{Method, Unfit, WordName};
+use stackless_bvh::traverse::{Method, Unsupported, WordName};
 
 /// What was counted for one traversal in one word.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -13,7 +13,7 @@ pub struct Count {
     /// Cases that it refused before the first step.
     pub refused: u64,
     /// A reason to refuse one: the last by its text, so that it does not depend on the order of the cases.
-    pub refusal: Option<Unfit>,
+    pub refusal: Option<Unsupported>,
     /// Visits, restarts included.
     pub steps: u64,
 }
@@ -95,7 +95,7 @@ impl Tally {
 
 impl Count {
     /// Keeps the last of the reasons by its text, and that.
-    fn note(&mut self, text: &mut String, refusal: Unfit, its_text: String) {
+    fn note(&mut self, text: &mut String, refusal: Unsupported, its_text: String) {
         if self.refusal.is_none() || *text < its_text {
             (self.refusal, *text) = (Some(refusal), its_text);
         }

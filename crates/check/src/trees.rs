@@ -11,9 +11,9 @@ use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{RBig, round_root, square_distance};
 use stackless_bvh::geom::{Ball, BallError, Mesh, MeshError, Ray, Triangle, Vector};
 use stackless_bvh::trace::{
-    BinaryTracer, Hit, MeshQueries, Near, NodeSearch, OwnBoxes, Query, RayQueries, Sweep, Tracer, Truth,
+    AllHitsQuery, BinaryTracer, Hit, MeshQueries, Near, NodeSearch, OwnBoxes, Query, RayQueries, Tracer, Truth,
 };
-use stackless_bvh::traverse::{Method, Tables, Unfit, WordName};
+use stackless_bvh::traverse::{Method, Tables, Unsupported, WordName};
 use stackless_bvh::tree::Topology;
 
 use crate::kernels::{GeometryFault, check_point};
@@ -35,7 +35,7 @@ pub enum TreeFault {
     Mesh(#[from] MeshError),
     /// It cannot be traversed.
     #[error("it cannot be traversed: {0}")]
-    Unfit(Unfit),
+    Unsupported(Unsupported),
     /// A ray is answered otherwise than by rational arithmetic.
     #[error("{what} of ray {ray}: {found}, expected {expected}")]
     Ray {
@@ -107,8 +107,9 @@ fn check_rays<V: Precision>(
     let tree = bvh.tree();
     let tables = Tables::new(tree, tree.axes(), &[Method::Hashed], 0);
     let (word, mut memory) = (WordName::narrowest(tree.depth()), Vec::new());
-    let mut run =
-        |query: &mut dyn Query| tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unfit);
+    let mut run = |query: &mut dyn Query| {
+        tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unsupported)
+    };
     let tracer = Tracer::new(wide);
     let (in_turns, in_turns_any) = (tracer.closest_each(rays), tracer.any_each(rays));
     let (truth, mut hits) = (Truth::new(mesh), 0);
@@ -123,7 +124,7 @@ fn check_rays<V: Precision>(
         let mut any = NodeSearch::<V::Exact, V::Slabs, true>::new(bvh, &[], ray);
         run(&mut any)?;
         compare(number, "any hit", &!expected.is_empty(), &any.found().is_some())?;
-        let mut all = OwnBoxes::over(Sweep::<V::Exact, V::Slabs>::new(bvh, ray), &[]);
+        let mut all = OwnBoxes::over(AllHitsQuery::<V::Exact, V::Slabs>::new(bvh, ray), &[]);
         run(&mut all)?;
         let all: Vec<_> = all.query().hits().iter().map(bits).collect();
         compare(number, "all hits", &expected, &all)?;
@@ -147,7 +148,7 @@ fn check_rays<V: Precision>(
 /// nearest, and the nearest one the first of them. `[NEAR-2]` `[NEAR-3]`
 ///
 /// # Errors
-/// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`], [`TreeFault::Unfit`].
+/// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`], [`TreeFault::Unsupported`].
 pub fn check_nearest<V: Precision>(
     bvh: &Bvh<Triangle<V>>,
     mesh: &Mesh<V>,
@@ -155,7 +156,8 @@ pub fn check_nearest<V: Precision>(
     radius: V::Real,
     k: usize,
 ) -> Result<(), TreeFault> {
-    let tracer = BinaryTracer::<_, V::Exact, V::Slabs>::with_tests(bvh, Method::default()).map_err(TreeFault::Unfit)?;
+    let tracer =
+        BinaryTracer::<_, V::Exact, V::Slabs>::with_tests(bvh, Method::default()).map_err(TreeFault::Unsupported)?;
     let ball = Ball::new(point, radius)?;
     let nears = tracer.nearest_k(&ball, k);
     let wide = Tracer::new(WideBvh::<8, V>::of(bvh)?);

@@ -9,8 +9,8 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    self, Context, Cursor, Hashed, Kept, Link, Method, Next, Parents, Pending, Ranked, Recorded, Scratch, Supply,
-    Tables, Topology, Trail, Tree, Unfit, Wanted, Words, oracle,
+    self, Context, Cursor, Hashed, Link, Method, Next, Parents, Pending, PendingStore, Ranked, Recorded, Scratch,
+    StateView, Supply, Tables, Topology, Trail, Tree, Unsupported, Wanted, oracle,
 };
 
 /// A wide tree and a search through it.
@@ -107,7 +107,7 @@ impl<const A: usize> WideCase<A> {
         Ok(count)
     }
 
-    fn check_kept<K: Kept<A>>(
+    fn check_kept<K: PendingStore<A>>(
         &self,
         name: &str,
         kept: impl Fn() -> K,
@@ -122,7 +122,7 @@ impl<const A: usize> WideCase<A> {
         Ok(u32::from(by_parents) + u32::from(by_records) + u32::from(by_hash == Some(true)))
     }
 
-    fn check_pending<K: Kept<A>, L: Link<A>>(
+    fn check_pending<K: PendingStore<A>, L: Link<A>>(
         &self,
         name: &str,
         kept: K,
@@ -143,11 +143,13 @@ impl<const A: usize> WideCase<A> {
         &self,
         name: &str,
         expected: &[Node],
-        run: impl FnOnce(&mut Watch<'_, A>) -> Result<(), Unfit>,
+        run: impl FnOnce(&mut Watch<'_, A>) -> Result<(), Unsupported>,
     ) -> Result<bool, WideFault> {
         let mut watch = Watch { case: self, seen: Vec::new(), most: expected.len() + 1 };
         match run(&mut watch) {
-            Err(Unfit::TooDeep(error)) if error.depth == self.tree.levels() && error.depth > error.limit => Ok(false),
+            Err(Unsupported::TooDeep(error)) if error.depth == self.tree.levels() && error.depth > error.limit => {
+                Ok(false)
+            }
             ran => {
                 let seen = if ran.is_ok() { watch.seen } else { Vec::new() };
                 let differs = (0..expected.len().max(seen.len())).find(|&i| expected.get(i) != seen.get(i));
@@ -222,7 +224,7 @@ impl<C> Followed<'_, C> {
         C: Cursor<A>,
     {
         // Of a stack nothing is kept by levels, and a restart does not go back.
-        let goes_back = matches!(self.0.words(0), Some(Words::Trail { .. } | Words::Ranked { .. }));
+        let goes_back = matches!(self.0.words(0), Some(StateView::Trail { .. } | StateView::Ranked { .. }));
         let is_at_parent = |child| (0..A as u32).any(|slot| tree.child(self.0.node(), slot) == child);
         match next {
             Next::Child(child) if goes_back && !is_at_parent(child) => Next::End,
@@ -289,7 +291,10 @@ struct Watched<'t, 'w, 'c, const A: usize> {
 impl<'t, const A: usize> Context<'t, A, Tree<A>> for Watched<'t, '_, '_, A> {
     type Output = ();
 
-    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, Tree<A>>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn run<C: Cursor<A>>(
+        self,
+        start: impl Fn(Supply<'t, Tree<A>>) -> Result<C, Unsupported>,
+    ) -> Result<(), Unsupported> {
         self.watch.run(&mut start(self.from)?);
         Ok(())
     }

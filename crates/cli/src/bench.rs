@@ -55,7 +55,7 @@ pub(crate) struct Args {
     scenes: Vec<PathBuf>,
     /// Traversals, separated by commas: `stackless methods` lists them. `stack` is always there. Those of wide trees are
     /// exact; their trees have eight children, and are built in the same way.
-    /// They trace two rays in turns. With the default one, `wide-record`, the same rays and triangles are traced in double
+    /// They trace two rays interleaved. With the default one, `wide-record`, the same rays and triangles are traced in double
     /// precision too: `wide-record-f64`, over the first tree. Its distances are judged as rounded to single precision.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1,wide-stack,wide-record")]

@@ -9,8 +9,8 @@ use stackless_bvh::bvh::{Builder, Bvh};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
-use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Hit, RayQueries, Tracer, WithTests};
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Hit, KernelShape, RayQueries, Tracer, WithTests};
+use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::wide;
 use stackless_scene::{Float, Format, Position};
 use stackless_suite::Traversal;
@@ -144,7 +144,7 @@ impl Args {
             Traversal::Binary(method) => method,
         };
         let bvh = build::binary(build::chosen(self.build, &[method]), scene)?;
-        let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Wide>();
+        let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Slabs64>();
         let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
         Ok(Traced { method: method.name(), hits })
     }
@@ -189,7 +189,7 @@ struct Binary<'a, V: Vector = Vec3> {
 }
 
 impl<V: Vector> Binary<'_, V> {
-    fn run<K, B>(self) -> Result<Hits<V::Real>, Unfit>
+    fn run<K, B>(self) -> Result<Hits<V::Real>, Unsupported>
     where
         K: Kernel<Vector = V, Shape: From<Triangle<V>>>,
         B: Slabs<Vector = V>,
@@ -202,9 +202,9 @@ impl<V: Vector> Binary<'_, V> {
 }
 
 impl WithTests for Binary<'_> {
-    type Output = Result<Hits, Unfit>;
+    type Output = Result<Hits, Unsupported>;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
+    fn call<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
         self.run::<K, B>()
     }
 }

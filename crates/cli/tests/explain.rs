@@ -139,7 +139,7 @@ fn every_traversal_is_recorded_as_its_oracle_goes() {
         for method in Method::ALL {
             match explain::record(&case, method) {
                 Ok(recording) => look(&case, method, &recording, &clauses, &mut seen),
-                Err(ExplainError::Unfit { method, .. } | ExplainError::Changing { method }) => {
+                Err(ExplainError::Unsupported { method, .. } | ExplainError::Changing { method }) => {
                     refused.insert(method.name());
                 }
                 Err(error) => panic!("{error}"),
@@ -232,7 +232,7 @@ fn what_is_too_large_or_does_not_run_is_refused() {
     let example = explain::example();
     assert!(matches!(explain::page("a", &example, &[]), Err(ExplainError::NoMethod)));
     let complete = explain::page("a", &example, &[Method::Complete]);
-    assert!(matches!(complete, Err(ExplainError::Unfit { method: Method::Complete, .. })));
+    assert!(matches!(complete, Err(ExplainError::Unsupported { method: Method::Complete, .. })));
     let html = explain::page("a", &example, &[Method::Complete, Method::Stack]).unwrap();
     let left_out = data(&html)["left_out"][0].as_str().unwrap().to_owned();
     assert!(left_out.starts_with("complete: "), "{left_out}");
@@ -265,7 +265,7 @@ fn look_wide<const A: usize>(case: &WideCase<A>, clauses: &BTreeSet<String>, see
         };
         let recording = match recorded {
             Ok(recording) => recording,
-            Err(ExplainError::UnfitWide { .. } | ExplainError::TooDeep { .. } | ExplainError::Falling { .. }) => {
+            Err(ExplainError::UnsupportedWide { .. } | ExplainError::TooDeep { .. } | ExplainError::Falling { .. }) => {
                 continue;
             }
             Err(error) => panic!("{error}"),

@@ -2,7 +2,7 @@
 
 use super::MOST_NODES;
 use stackless_bvh::hash::BuildError;
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::wide;
 
 /// Why a case or a traversal is not put on a page.
@@ -24,19 +24,19 @@ pub enum ExplainError {
     },
     /// The traversal does not run on this tree.
     #[error("{method}: {error}")]
-    Unfit {
+    Unsupported {
         /// The traversal.
         method: Method,
         /// Why.
-        error: Unfit,
+        error: Unsupported,
     },
     /// The same of a wide tree.
     #[error("{method}: {error}")]
-    UnfitWide {
+    UnsupportedWide {
         /// The traversal.
         method: wide::Method,
         /// Why.
-        error: wide::Unfit,
+        error: wide::Unsupported,
     },
     /// The traversal needs ranks that do not become less on the way down.
     #[error("{method}: on the way down ranks become less, and it may not visit what its oracle visits")]
@@ -85,8 +85,8 @@ impl ExplainError {
     pub(super) const fn is_of_method(&self) -> bool {
         matches!(
             self,
-            Self::Unfit { .. }
-                | Self::UnfitWide { .. }
+            Self::Unsupported { .. }
+                | Self::UnsupportedWide { .. }
                 | Self::Falling { .. }
                 | Self::Changing { .. }
                 | Self::Table { .. }

@@ -11,7 +11,7 @@ use stackless_bvh::oracle;
 use stackless_bvh::order::{
     ByNode, Descent, FixedOrder, Flow, LeftOrder, NodeTest, Pruned, Pruning, SignOrder, Visitor,
 };
-use stackless_bvh::traverse::{Beside, Method, Need, Tables, Test};
+use stackless_bvh::traverse::{AuxTables, Method, Need, Tables, Test};
 use stackless_bvh::tree::{Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
 use stackless_check::{Case, Watched};
 
@@ -64,13 +64,13 @@ impl Log {
 /// Runs a traversal over a case. The hash is that of the papers' sizes.
 pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table>, ExplainError> {
     let tree = &case.tree;
-    let unfit = |error| ExplainError::Unfit { method, error };
+    let unfit = |error| ExplainError::Unsupported { method, error };
     let hash = key_set(method).map(|key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Printed }));
     let hash = hash.transpose().map_err(|error| ExplainError::Table { method, error })?;
     let linked = Linked::naming(tree, &[method.wants_recorded()]);
     let watched = Watched { tree: &linked, watch: |node| log.note(|seen| seen.read.push(node)) };
     let asked = |_| Asked { hash: hash.as_ref(), tree, log };
-    let beside = Beside::new(&watched, case.tape.axes(), &[method], IMPLICIT_DEPTH).looked_up_by(asked);
+    let beside = AuxTables::new(&watched, case.tape.axes(), &[method], IMPLICIT_DEPTH).looked_up_by(asked);
     let tables = Tables::with(&watched, case.tape.axes(), beside);
     let (mut search, mut watching) = (Deciding::new(case, method, log), Watching::new(case, log));
     tables.run::<Word, _>(method, case.octant, &mut Vec::new(), &mut search, &mut watching).map_err(unfit)?;

@@ -23,7 +23,7 @@ use stackless_bvh::hash::mix;
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Flow, Pruning};
 use stackless_bvh::traverse::{
-    Beside, ByWalk, KeyTrail, Method, Next, Pause, Paused, Tables, WithCursor, WithWord, WordName, resume,
+    AuxTables, ByWalk, KeyTrail, Method, Next, Pause, Paused, Tables, WithCursor, WithWord, WordName, resume,
     traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
@@ -154,7 +154,7 @@ fn text(case: &Case) -> String {
     text.push('\n');
     let methods = Method::ALL;
     let octants = case.octant..case.octant + 1;
-    let beside = Beside::for_octants(&case.tree, case.tape.axes(), &methods, IMPLICIT_DEPTH, octants);
+    let beside = AuxTables::for_octants(&case.tree, case.tape.axes(), &methods, IMPLICIT_DEPTH, octants);
     let run = Run { case, keys: &Keys::of(&case.tree), tables: &Tables::with(&case.tree, case.tape.axes(), beside) };
     let is_small = case.tree.node_count() <= SMALL;
     let is_compared = |method: &Method| is_small || !method.restarts();

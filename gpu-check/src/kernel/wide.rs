@@ -1,6 +1,6 @@
 //! Kernels for wide trees: nodes of up to eight children.
 
-use stackless_bvh::wide::{Kept, Ranked, Trail};
+use stackless_bvh::wide::{PendingStore, Ranked, Trail};
 
 use super::{Driver, Kernel, Traversal};
 
@@ -49,10 +49,10 @@ impl Wide {
     pub(super) const fn level_limit(self, words: u32) -> Option<u32> {
         match (self, words) {
             (Self::Stack, _) => None,
-            (Self::Trail, 1) => Some(<Trail<u32> as Kept<SLOTS>>::LEVELS),
-            (Self::Trail, 2) => Some(<Trail<u64> as Kept<SLOTS>>::LEVELS),
-            (Self::Trail, _) => Some(<Trail<u128> as Kept<SLOTS>>::LEVELS),
-            (Self::Record, _) => Some(<Ranked as Kept<SLOTS>>::LEVELS),
+            (Self::Trail, 1) => Some(<Trail<u32> as PendingStore<SLOTS>>::LEVELS),
+            (Self::Trail, 2) => Some(<Trail<u64> as PendingStore<SLOTS>>::LEVELS),
+            (Self::Trail, _) => Some(<Trail<u128> as PendingStore<SLOTS>>::LEVELS),
+            (Self::Record, _) => Some(<Ranked as PendingStore<SLOTS>>::LEVELS),
             // Below the first bit, three bits a level.
             (Self::Hashed, _) => Some((32 * words - 1) / SLOTS.trailing_zeros()),
         }
@@ -92,7 +92,7 @@ pub(super) const fn stack_entries(levels: u32) -> u32 {
 
 /// Levels that ranks are kept of, in a tree of so many: a power of two, by which levels are masked.
 pub(super) fn kept_levels(levels: u32) -> u32 {
-    levels.clamp(4, <Ranked as Kept<SLOTS>>::LEVELS).next_power_of_two()
+    levels.clamp(4, <Ranked as PendingStore<SLOTS>>::LEVELS).next_power_of_two()
 }
 
 /// The search of a decision tape, through wide trees.

@@ -5,7 +5,7 @@ use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Rng, Source as _, WideSearch, WideTape, wide_shape, wide_tree};
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Search, Tables, Topology as _, Tree, Unfit, Wanted, child_key, oracle};
+use stackless_bvh::wide::{Search, Tables, Topology as _, Tree, Unsupported, Wanted, child_key, oracle};
 
 use super::events::{Place, events};
 use super::{Expected, Searches};
@@ -234,7 +234,7 @@ impl WideBatch {
             }
             let head = match Tables::new(&case.tree).hash() {
                 Ok(hash) => tables.add_hash(hash, |node| places[node.index()].address),
-                Err(Unfit::TooDeep(_)) => TableHead::NONE,
+                Err(Unsupported::TooDeep(_)) => TableHead::NONE,
                 Err(unfit) => return Err(GpuError::Data(unfit.to_string())),
             };
             placed.push((case, places, head, is_changing));

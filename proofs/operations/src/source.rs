@@ -30,7 +30,7 @@ const FILES: &[&str] = &[
     "src/geom/slabs/directed.rs",
     "src/geom/slabs/doubled.rs",
     "src/geom/slabs/mod.rs",
-    "src/geom/slabs/wide.rs",
+    "src/geom/slabs/slabs64.rs",
     "src/geom/triangle.rs",
     "src/geom/vector.rs",
 ];

@@ -2,7 +2,7 @@
 
 use stackless_bvh::event::State;
 use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{ByTable, Cursor, Next, Pause, Paused, Unfit};
+use stackless_bvh::traverse::{ByTable, Cursor, Next, Pause, Paused, Unsupported};
 use stackless_bvh::tree::Node;
 
 use crate::shape::{Computed, Shape};
@@ -17,12 +17,12 @@ pub(super) struct Resumed<C, F, P> {
     keep: P,
 }
 
-impl<C: Pause, F: Fn() -> Result<C, Unfit>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Resumed<C, F, P> {
+impl<C: Pause, F: Fn() -> Result<C, Unsupported>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Resumed<C, F, P> {
     /// At the root.
     ///
     /// # Errors
     /// As `start`.
-    pub(super) fn new(start: F, keep: P) -> Result<Self, Unfit> {
+    pub(super) fn new(start: F, keep: P) -> Result<Self, Unsupported> {
         Ok(Self { cursor: start()?, start, keep })
     }
 
@@ -39,7 +39,7 @@ pub(super) fn by_key_and_trail(shape: Shape) -> impl Fn(Paused<u32>) -> Option<P
     move |paused| paused.key_trail()?.locate(&ByTable(Computed(shape))).ok()
 }
 
-impl<C: Pause, F: Fn() -> Result<C, Unfit>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor
+impl<C: Pause, F: Fn() -> Result<C, Unsupported>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Cursor
     for Resumed<C, F, P>
 {
     type Word = C::Word;

@@ -1,8 +1,8 @@
 //! From a tree with a node for each triangle to a wide one.
 
+use super::collapse_dp::CollapseDp;
 use super::draft::{Shapes, draft_of, draft_over_leaves};
 use super::layout::assign;
-use super::programme::Programme;
 use super::{CUT, MAX_COUNT, WideBvh, WideNode, name_ancestors};
 use crate::bvh::build::{Draft, reserve};
 use crate::bvh::least::Least;
@@ -152,8 +152,8 @@ fn collapse<const A: usize, V: Precision>(
     options: &WideOptions,
 ) -> Result<Made<V, A>, WideError> {
     const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
-    let programme = Programme::of(draft, options)?;
-    let collapse = Collapse { shapes, programme };
+    let collapse_dp = CollapseDp::of(draft, options)?;
+    let collapse = Collapse { shapes, collapse_dp };
     let root = Pending { source: Source::Node(0), index: 0, level: 0 };
     let (mut made, mut pending) = collapse.below(root, CUT);
     name_ancestors(&mut made.nodes, |i| i as u32);
@@ -171,7 +171,7 @@ fn collapse<const A: usize, V: Precision>(
 
 struct Collapse<'a, H, const A: usize> {
     shapes: &'a H,
-    programme: Programme<'a, A>,
+    collapse_dp: CollapseDp<'a, A>,
 }
 
 /// What an inner node is made of.
@@ -209,7 +209,7 @@ struct Made<V: Precision, const A: usize> {
 
 impl<const A: usize, H> Collapse<'_, H, A> {
     fn draft(&self) -> &Draft {
-        self.programme.draft
+        self.collapse_dp.draft
     }
 
     /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.
@@ -231,7 +231,7 @@ impl<const A: usize, H> Collapse<'_, H, A> {
             for ((slot, source), aabb) in assign::<A>(&boxes[..count]).into_iter().zip(sources).zip(&boxes[..count]) {
                 made.nodes[index].set_child_box(slot, aabb);
                 let address = match source {
-                    Source::Node(place) if self.programme.is_leaf(place) => self.leaf(place, &mut held, &mut made),
+                    Source::Node(place) if self.collapse_dp.is_leaf(place) => self.leaf(place, &mut held, &mut made),
                     source => {
                         let index = made.nodes.len();
                         made.nodes.push(WideNode::EMPTY);
@@ -279,9 +279,10 @@ impl<const A: usize, H> Collapse<'_, H, A> {
             Source::Leaves(leaves) => leaves,
             Source::Node(place) => {
                 let left = max_level::<A>() - level;
-                let (children, count) = self.programme.children(place);
+                let (children, count) = self.collapse_dp.children(place);
                 let fits = |&child: &u32| {
-                    self.programme.is_leaf(child) || left > 0 && flattest::<A>(self.draft().node(child).count()) < left
+                    self.collapse_dp.is_leaf(child)
+                        || left > 0 && flattest::<A>(self.draft().node(child).count()) < left
                 };
                 if children[..count].iter().all(fits) {
                     children[..count].iter().for_each(|&child| add(self.draft().aabb(child), Source::Node(child)));

@@ -18,9 +18,9 @@
 
 mod bytes;
 mod collapse;
+mod collapse_dp;
 mod draft;
 mod layout;
-mod programme;
 mod refit;
 mod validate;
 

@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, block};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
-use crate::geom::slabs::{Directed, Slabs, Wide};
+use crate::geom::slabs::{Directed, Slabs, Slabs64};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
 /// Positions in single or in double precision, as wide trees need them. The boxes of both are in single precision.
@@ -136,7 +136,7 @@ impl Precision for Vec3 {
 
 impl Precision for DVec3 {
     type Exact = Exact64;
-    type Slabs = Wide;
+    type Slabs = Slabs64;
     type Lanes<S: Simd> = f64x4<S>;
     type Boxes<S: Simd> = FramedBoxes<S>;
     type Hits<'a> = LazyExact64<'a>;

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use glam::{BVec4A, DVec3, Vec4};
 
 use super::entered::{Approach, Entered, Entry, MAX_LENGTH, MAX_UNIT};
-use super::wide::{BEYOND, LEAST};
+use super::slabs64::{BEYOND, LEAST};
 use crate::geom::frame::power_of_two;
 use crate::geom::{Ray, Region};
 

@@ -16,7 +16,7 @@ mod enclosed;
 mod entered;
 mod entrance;
 mod framed;
-mod wide;
+mod slabs64;
 
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
@@ -25,7 +25,7 @@ pub(crate) use entered::Approach;
 pub(in crate::geom) use entered::{Entered, entry};
 pub(in crate::geom) use entrance::{FromEntrance, entered_if};
 pub(in crate::geom) use framed::Framed;
-pub use wide::{STRICT_STEPS, Wide};
+pub use slabs64::{STRICT_STEPS, Slabs64};
 
 use doubled::Doubled;
 

@@ -140,7 +140,7 @@ fn the_nearest_point_is_the_truth() {
 fn what_does_not_fit_is_refused_at_once() {
     let bvh = Bvh::sah(&procedural::soup(1, 100), SahOptions::default()).expect("a tree");
     let refused = BinaryTracer::with_method(&bvh, Method::Complete);
-    assert!(matches!(refused, Err(Unfit::NotComplete(_))));
+    assert!(matches!(refused, Err(Unsupported::NotComplete(_))));
     let tracer = BinaryTracer::new(&bvh);
     assert_eq!((tracer.method(), tracer.word()), (Method::default(), WordName::U32));
     assert_eq!(Ball::new(Vec3::ZERO, -1.0), Err(BallError::Radius(-1.0)));

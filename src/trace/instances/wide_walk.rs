@@ -12,7 +12,7 @@ use crate::geom::{EnclosedRay, Real as _, Region, Triangle, Vector};
 use crate::order::Flow;
 use crate::trace::tracer::{LaneRanks, with_memory};
 use crate::tree::Node;
-use crate::wide::{self, Method, Supply, Tables, Topology, Unfit, Wanted};
+use crate::wide::{self, Method, Supply, Tables, Topology, Unsupported, Wanted};
 
 /// A traversal and its tables. The hierarchy that they were made for comes with each ray.
 #[derive(Debug)]
@@ -27,7 +27,7 @@ pub(super) trait WideObject<V: Vector>: Debug + Send + Sync {
     fn region(&self) -> &Region;
 
     /// What it takes to traverse it, checked once and for all: no ray can fail.
-    fn level(&self, method: Method) -> Result<WideLevel, Unfit>;
+    fn level(&self, method: Method) -> Result<WideLevel, Unsupported>;
 
     /// Bytes of the state of a traversal.
     fn state_bytes(&self, level: &WideLevel) -> usize;
@@ -41,7 +41,7 @@ impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
         self.region()
     }
 
-    fn level(&self, method: Method) -> Result<WideLevel, Unfit> {
+    fn level(&self, method: Method) -> Result<WideLevel, Unsupported> {
         let level = WideLevel { method, tables: Tables::of(method, self) };
         // A search that is over at the root: what is unfit is found before the first step.
         level.method.run(self, &level.tables, &mut Nothing, &mut ()).map(|()| level)

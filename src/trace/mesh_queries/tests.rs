@@ -3,12 +3,12 @@ use glam::{DVec3, Vec3};
 use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions};
 use crate::generate::{procedural, stress};
 use crate::geom::kernel::{Exact, Exact64};
-use crate::geom::slabs::{Directed, Wide};
+use crate::geom::slabs::{Directed, Slabs64};
 use crate::geom::{Mesh, Ray};
 use crate::trace::{BinaryTracer, MeshQueries, Tracer};
 use crate::traverse::Method;
 
-type Tracer64 = BinaryTracer<Bvh<crate::geom::Triangle<DVec3>>, Exact64, Wide>;
+type Tracer64 = BinaryTracer<Bvh<crate::geom::Triangle<DVec3>>, Exact64, Slabs64>;
 
 fn tracer64(mesh: &Mesh<DVec3>) -> Tracer64 {
     BinaryTracer::with_tests(Bvh::build(mesh).expect("a tree"), Method::default()).expect("a tracer")

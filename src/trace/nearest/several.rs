@@ -9,7 +9,7 @@ use crate::bvh::Bvh;
 use crate::geom::{Aabb, Ball, Real, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::trace::BoxQuery;
-use crate::trace::held::Held;
+use crate::trace::leaf_primitives::LeafPrimitives;
 use crate::tree::{Node, Topology};
 
 /// A search for the `k` nearest triangles of a mesh within a radius, exact: the first `k` in the order of
@@ -26,7 +26,7 @@ pub struct NearestPoints<'a, H = Bvh, V: Vector = Vec3> {
     found: BTreeMap<(u64, u32), usize>,
 }
 
-impl<'a, V: Vector, H: Held<Triangle<V>>> NearestPoints<'a, H, V> {
+impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoints<'a, H, V> {
     /// Prepares a search. `k` may be any number.
     pub fn new(bvh: &'a H, ball: &Ball<V>, k: usize) -> Self {
         let mut around = Around::new(bvh, ball);

@@ -28,7 +28,7 @@ fn no_decision_changes_an_answer() {
     for (mesh, rays) in scenes() {
         let bvh = lean(&mesh);
         for method in Method::ALL.into_iter().filter(|&method| method != Method::Complete) {
-            let lean = Plan::new(&bvh, method, Ask::Any);
+            let lean = Plan::new(&bvh, method, QueryKind::Any);
             let each = Part::ALL.map(|part| lean.clone().with(part));
             let plans = [lean.clone(), lean.with_everything()].into_iter().chain(each);
             let answers = plans.map(|plan| {
@@ -53,8 +53,8 @@ fn degenerate_triangles_are_left_out_without_a_trace() {
     let kept = &mesh.triangles()[..mesh.triangles().len() - 3];
     let without = Mesh::new(mesh.vertices().to_vec(), kept.to_vec()).expect("a mesh");
     let [with, without] = [&mesh, &without].map(lean);
-    assert!(Plan::new(&with, Method::Hashed, Ask::Any).skips(Part::Degenerate));
-    assert!(!Plan::new(&without, Method::Hashed, Ask::Any).skips(Part::Degenerate));
+    assert!(Plan::new(&with, Method::Hashed, QueryKind::Any).skips(Part::Degenerate));
+    assert!(!Plan::new(&without, Method::Hashed, QueryKind::Any).skips(Part::Degenerate));
     for ray in &rays {
         assert_eq!(BinaryTracer::new(&with).all(ray), BinaryTracer::new(&without).all(ray));
     }
@@ -62,7 +62,8 @@ fn degenerate_triangles_are_left_out_without_a_trace() {
 
 /// What is done with a part and what without, in figures that must differ.
 fn done(part: Part, bvh: &Bvh, mesh: &Mesh, rays: &[Ray]) -> [u64; 2] {
-    let lean = Plan::new(bvh, Method::Hashed, if part == Part::SecondTrail { Ask::Distance } else { Ask::Any });
+    let lean =
+        Plan::new(bvh, Method::Hashed, if part == Part::SecondTrail { QueryKind::Distance } else { QueryKind::Any });
     assert!(lean.skips(part), "{part:?}");
     [lean.clone(), lean.with(part)].map(|plan| {
         let tracer = BinaryTracer::planned(bvh, &plan).expect("a tracer");
@@ -71,7 +72,7 @@ fn done(part: Part, bvh: &Bvh, mesh: &Mesh, rays: &[Ray]) -> [u64; 2] {
             Part::OtherTables | Part::OwnBoxes => tracer.bytes() as u64,
             Part::SecondTrail => tracer.count_closest(rays).inner,
             Part::Weights => {
-                tracer.asked_each(rays).iter().flatten().filter(|hit| hit.weights.is_some()).count() as u64
+                tracer.partial_hits_each(rays).iter().flatten().filter(|hit| hit.weights.is_some()).count() as u64
             }
             Part::Degenerate => {
                 let bvh = plan.options(BuildOptions::default()).build(mesh).expect("a tree");
@@ -93,12 +94,14 @@ fn each_decision_changes_what_is_done() {
         let ok = if part == Part::SecondTrail { without > with } else { without < with };
         assert!(ok, "{part:?}: {without}, {with}");
     }
-    let by_node = Plan::new(&bvh, Method::Skip, Ask::Hit);
+    let by_node = Plan::new(&bvh, Method::Skip, QueryKind::Hit);
     assert!(!by_node.skips(Part::OwnBoxes) && !by_node.skips(Part::Weights) && by_node.skips(Part::Repeats));
     // Where a hit ends nothing, nothing is kept for pruning.
-    for (ask, method) in [(Ask::All, Method::Hashed), (Ask::Any, Method::Hashed), (Ask::Hit, Method::HashedDisjoint)] {
+    for (ask, method) in
+        [(QueryKind::All, Method::Hashed), (QueryKind::Any, Method::Hashed), (QueryKind::Hit, Method::HashedDisjoint)]
+    {
         let plan = Plan::new(&bvh, Method::HashedDisjoint, ask);
-        assert_eq!((plan.method(), plan.skips(Part::SecondTrail)), (method, ask != Ask::Hit));
+        assert_eq!((plan.method(), plan.skips(Part::SecondTrail)), (method, ask != QueryKind::Hit));
     }
 }
 
@@ -107,11 +110,13 @@ fn a_tracer_says_what_the_plan_asks_for() {
     let mesh = procedural::strands(2, 20);
     let (bvh, rays) = (Bvh::build(&mesh).expect("a tree"), procedural::rays(&mesh, 4, 300));
     let tracer = BinaryTracer::new(&bvh);
-    for (ask, parts) in [(Ask::Any, [false, false]), (Ask::Distance, [true, false]), (Ask::Hit, [true, true])] {
+    for (ask, parts) in
+        [(QueryKind::Any, [false, false]), (QueryKind::Distance, [true, false]), (QueryKind::Hit, [true, true])]
+    {
         let planned = BinaryTracer::planned(&bvh, &Plan::new(&bvh, Method::default(), ask)).expect("a tracer");
-        for (ray, asked) in rays.iter().zip(planned.asked_each(&rays)) {
-            let hit = if ask == Ask::Any { tracer.any_hit(ray) } else { tracer.closest(ray) };
-            let expected = hit.map(|Hit { prim, t, u, v }| Asked {
+        for (ray, asked) in rays.iter().zip(planned.partial_hits_each(&rays)) {
+            let hit = if ask == QueryKind::Any { tracer.any_hit(ray) } else { tracer.closest(ray) };
+            let expected = hit.map(|Hit { prim, t, u, v }| PartialHit {
                 prim,
                 t: parts[0].then_some(t),
                 weights: parts[1].then_some([u, v]),
@@ -137,7 +142,7 @@ fn a_plan_of_another_hierarchy_changes_no_answer() {
     assert!(in_parts.duplicates() > 20);
     let rays = procedural::rays(&mesh, 4, 200);
     for method in [Method::HashedDisjoint, Method::StackT0, Method::Skip] {
-        for ask in [Ask::Any, Ask::Hit, Ask::All] {
+        for ask in [QueryKind::Any, QueryKind::Hit, QueryKind::All] {
             let planned = BinaryTracer::planned(&in_parts, &Plan::new(&plain, method, ask)).expect("deep enough words");
             let own = BinaryTracer::new(&plain);
             assert_eq!(planned.closest_each(&rays), own.closest_each(&rays), "{method}");

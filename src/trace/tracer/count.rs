@@ -7,8 +7,8 @@ use super::shared::{Counted, LaneRay};
 use crate::bvh::WideBvh;
 use crate::geom::lanes::{Precision, with_baseline};
 use crate::geom::{Ball, Ray, Real as _};
-use crate::trace::cast::Cast;
-use crate::trace::{Following, NearestPoint, Sweep, WideCounters};
+use crate::trace::prepared_ray::PreparedRay;
+use crate::trace::{AllHitsQuery, NearestPoint, NextHitQuery, WideCounters};
 
 impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     /// What the closest hits of these rays cost.
@@ -28,8 +28,8 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         counted(rays, |ray, counters| {
             with_baseline!(simd => {
                 // After a hit that is before all others.
-                let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-                self.run_shared(&mut Counted(&mut Following::over(cast, (V::Real::rounded(f64::NEG_INFINITY), 0)), counters));
+                let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+                self.run_shared(&mut Counted(&mut NextHitQuery::over(cast, (V::Real::rounded(f64::NEG_INFINITY), 0)), counters));
             });
         })
     }
@@ -39,8 +39,8 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         let bvh = self.bvh();
         counted(rays, |ray, counters| {
             with_baseline!(simd => {
-                let cast = Cast::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-                self.run_shared(&mut Counted(&mut Sweep::over(cast, bvh.duplicates() > 0), counters));
+                let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+                self.run_shared(&mut Counted(&mut AllHitsQuery::over(cast, bvh.duplicates() > 0), counters));
             });
         })
     }

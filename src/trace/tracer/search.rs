@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use fearless_simd::{Simd, f32x8};
 
-use super::turns::Ask;
+use super::interleaved::HitQuery;
 use crate::bvh::{WideBvh, wide::WideTree};
 use crate::geom::lanes::{Hits, Lanes, NodeBoxes, Precision, TriangleRay};
 use crate::geom::{Ray, Real as _};
@@ -52,13 +52,13 @@ impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, AN
 
     /// After the traversal: what was asked for.
     #[inline(always)]
-    pub(super) fn answer(&mut self, ask: Ask) -> Option<HitOf<V>> {
+    pub(super) fn answer(&mut self, ask: HitQuery) -> Option<HitOf<V>> {
         let prim = V::Hits::prim(&self.nearest)?;
         let zero = V::Real::ZERO;
         match ask {
-            Ask::Any => Some(Hit { prim, t: zero, u: zero, v: zero }),
-            Ask::Distance => Some(Hit { prim, t: self.hits.distance(self.simd, self.nearest), u: zero, v: zero }),
-            Ask::Closest | Ask::AnyHit => {
+            HitQuery::Any => Some(Hit { prim, t: zero, u: zero, v: zero }),
+            HitQuery::Distance => Some(Hit { prim, t: self.hits.distance(self.simd, self.nearest), u: zero, v: zero }),
+            HitQuery::Closest | HitQuery::AnyHit => {
                 let (t, [u, v]) = self.hits.whole::<S, ANY>(self.simd, self.nearest)?;
                 Some(Hit { prim, t, u, v })
             }

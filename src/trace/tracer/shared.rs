@@ -4,19 +4,19 @@
 use fearless_simd::{Simd, SimdBase, f32x8};
 
 use super::LaneRanks;
+use super::interleaved::{HitQuery, Job, with_memory};
 use super::search::{HitOf, WideSearch};
-use super::turns::{Ask, Job, with_memory};
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
 use crate::geom::Ray;
 use crate::geom::lanes::{BoxPoint, Hits as _, NodeBoxes as _, Precision, with_baseline};
 use crate::order::Flow;
-use crate::trace::cast::Cast;
 use crate::trace::counters::WideCounters;
 use crate::trace::nearest::Around;
-use crate::trace::{Crossings, Following, NearestPoint, NearestPoints, Sweep};
+use crate::trace::prepared_ray::PreparedRay;
+use crate::trace::{AllHitsQuery, Crossings, NearestPoint, NearestPoints, NextHitQuery};
 use crate::tree::Node;
-use crate::wide::{Method, Ranks, Search, Supply, Tables, Unfit, Wanted};
+use crate::wide::{Method, Ranks, Search, Supply, Tables, Unsupported, Wanted};
 
 /// A query for any traversal. As `&mut dyn Query` it is one type for all kinds.
 pub(super) trait Query {
@@ -36,20 +36,24 @@ pub(super) fn run<V: Precision>(
     tree: &WideBvh<8, V>,
     tables: &Tables,
     query: &mut dyn Query,
-) -> Result<(), Unfit> {
+) -> Result<(), Unsupported> {
     with_memory(|[memory, _]| method.run_in(Supply { tree, tables, memory }, &mut Shared(query), &mut ()))
 }
 
 /// Whether a traversal fits a hierarchy.
-pub(super) fn check<V: Precision>(method: Method, Job { bvh, tables, .. }: Job<'_, V>) -> Result<(), Unfit> {
+pub(super) fn check<V: Precision>(method: Method, Job { bvh, tables, .. }: Job<'_, V>) -> Result<(), Unsupported> {
     run(method, bvh, tables, &mut Nothing)
 }
 
 /// The closest hit of a ray, or any.
-pub(super) fn trace<V: Precision>(method: Method, job: Job<'_, V>, ray: &Ray<V>) -> Result<Option<HitOf<V>>, Unfit> {
+pub(super) fn trace<V: Precision>(
+    method: Method,
+    job: Job<'_, V>,
+    ray: &Ray<V>,
+) -> Result<Option<HitOf<V>>, Unsupported> {
     match job.ask {
-        Ask::Closest | Ask::Distance => trace_by::<V, false>(method, job, ray),
-        Ask::Any | Ask::AnyHit => trace_by::<V, true>(method, job, ray),
+        HitQuery::Closest | HitQuery::Distance => trace_by::<V, false>(method, job, ray),
+        HitQuery::Any | HitQuery::AnyHit => trace_by::<V, true>(method, job, ray),
     }
 }
 
@@ -57,7 +61,7 @@ fn trace_by<V: Precision, const ANY: bool>(
     method: Method,
     Job { bvh, tables, ask, .. }: Job<'_, V>,
     ray: &Ray<V>,
-) -> Result<Option<HitOf<V>>, Unfit> {
+) -> Result<Option<HitOf<V>>, Unsupported> {
     let mut hits = V::Hits::new(ray, bvh.region());
     with_baseline!(simd => {
         let mut search = WideSearch::<_, V, ANY>::new(simd, bvh, bvh.tree(), &mut hits);
@@ -145,7 +149,7 @@ pub(super) struct LaneRay<S: Simd, V: Precision> {
 }
 
 /// A ray among the boxes and triangles of a wide hierarchy.
-type WideCast<'a, S, V> = Cast<'a, <V as Precision>::Exact, LaneRay<S, V>, WideBvh<8, V>>;
+type WidePreparedRay<'a, S, V> = PreparedRay<'a, <V as Precision>::Exact, LaneRay<S, V>, WideBvh<8, V>>;
 
 impl<S: Simd, V: Precision> LaneRay<S, V> {
     pub(super) fn new(simd: S, ray: &Ray<V>, bvh: &WideBvh<8, V>) -> Self {
@@ -153,7 +157,7 @@ impl<S: Simd, V: Precision> LaneRay<S, V> {
     }
 }
 
-impl<S: Simd, V: Precision> WideCast<'_, S, V> {
+impl<S: Simd, V: Precision> WidePreparedRay<'_, S, V> {
     /// The children that the ray meets. `[LANES-2]`
     pub(super) fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let (ranks, set) = self.slabs.boxes.enter(&self.bvh.nodes()[node.index()].planes, self.box_end());
@@ -209,8 +213,8 @@ macro_rules! query {
     )*};
 }
 query! {
-    [S: Simd, V: Precision] Sweep<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
-    [S: Simd, V: Precision] Following<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
+    [S: Simd, V: Precision] AllHitsQuery<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
+    [S: Simd, V: Precision] NextHitQuery<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
     [S: Simd, V: Precision] Crossings<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>>, cast: box_end;
     [V: Precision] NearestPoint<'_, WideBvh<8, V>, V>, around: end;
     [V: Precision] NearestPoints<'_, WideBvh<8, V>, V>, around: end;

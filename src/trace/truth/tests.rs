@@ -53,7 +53,7 @@ fn compare(mesh: &Mesh, rays: &[Ray]) -> (usize, usize) {
         assert_eq!(truth.closest(ray).as_ref(), all.first(), "{ray:?}");
         assert_eq!(truth.any(ray), !all.is_empty(), "{ray:?}");
         hits += usize::from(!all.is_empty());
-        candidates += truth.candidates(Gross::new(ray)).count();
+        candidates += truth.candidates(ConservativeCull::new(ray)).count();
     }
     (hits, candidates)
 }
@@ -237,7 +237,7 @@ fn all_triangles_at_a_corner_and_an_edge_are_hit_and_degenerate_ones_are_not() {
     assert_eq!(prims(&at(1.0, 1.0)), [0; 0]);
 }
 
-/// Double precision at its ends, where the gross test must not skip, and where it should.
+/// Double precision at its ends, where the conservative test must not skip, and where it should.
 #[test]
 fn nothing_that_is_hit_is_left_out_in_double_precision() {
     let soup = procedural::soup(50, 60);
@@ -261,7 +261,7 @@ fn nothing_that_is_hit_is_left_out_in_double_precision() {
                 rays += 1;
                 if by == 1.0 {
                     usual += 1;
-                    candidates += truth.candidates(Gross::new(&ray)).count();
+                    candidates += truth.candidates(ConservativeCull::new(&ray)).count();
                 }
             }
             assert!(hits * 5 > rays, "{hits} of {rays} at {scale}, {offset}");
@@ -297,7 +297,10 @@ fn what_underflows_leaves_nothing_out() {
             let Ok(ray) = Ray::new(point(size), point(way)) else { continue };
             let is_hit = !brute_force(&mesh, &ray).is_empty();
             hits += usize::from(is_hit);
-            assert!(!is_hit || !Gross::new(&ray).misses_triangle::<DVec3>(&corners(&mesh, 0)), "{mesh:?} {ray:?}");
+            assert!(
+                !is_hit || !ConservativeCull::new(&ray).misses_triangle::<DVec3>(&corners(&mesh, 0)),
+                "{mesh:?} {ray:?}"
+            );
         }
     }
     assert!(hits > 100, "{hits}");

@@ -41,7 +41,7 @@ fn lookups_in_the_table_of_another_tree_are_misses() {
     let run = |tables: &VerifiedTables<'_, Tree>| {
         tables.run::<u64, _>(Method::HashOnly, 0, &mut Vec::new(), &mut Leaves, &mut ()).map(|()| tables.misses())
     };
-    let beside = |tree: &Tree| Beside::new(tree, &axes, &[Method::HashOnly], 0);
+    let beside = |tree: &Tree| AuxTables::new(tree, &axes, &[Method::HashOnly], 0);
     let tables = Tables::verified(&tree, &axes, beside(&tree), Arc::clone(&keys));
     assert_eq!((run(&tables), run(&tables)), (Ok(0), Ok(0)));
     let tables = Tables::verified(&tree, &axes, beside(&other), keys);

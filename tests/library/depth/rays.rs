@@ -11,7 +11,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::Flow;
 use stackless_bvh::trace::{AnyByNode, BinaryTracer, Closest, ClosestByNode, RayQueries, Truth};
-use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unfit, WordName, traverse};
+use stackless_bvh::traverse::{Afra, Cuts, Hashed, Method, Split, Unsupported, WordName, traverse};
 use stackless_bvh::tree::{Keys, Linked, Node, Recorded, Topology};
 use stackless_check::{CaseOptions, Pieces, Plan, SceneTree, check_scene};
 
@@ -79,7 +79,7 @@ fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
             let expected = if carried { (all - refused, refused) } else { (0, all) };
             assert_eq!((count.agree, count.refused), expected, "{method} {word}");
             if !is_wide && method != Method::Complete {
-                assert!(matches!(count.refusal, Some(Unfit::TooDeep(_))), "{method} {word}: {:?}", count.refusal);
+                assert!(matches!(count.refusal, Some(Unsupported::TooDeep(_))), "{method} {word}: {:?}", count.refusal);
             }
         }
     }

@@ -7,7 +7,7 @@ use stackless_bvh::generate::stress;
 use stackless_bvh::geom::{Mesh, Ray, Vector};
 use stackless_bvh::trace::InstanceTracer;
 use stackless_bvh::traverse::Method;
-use stackless_check::{Flat, check_answer};
+use stackless_check::{InstanceOracle, check_answer};
 
 use super::scenes::{Kind, Scene, narrow, placed};
 use super::{assembly, hierarchies, wide};
@@ -35,7 +35,7 @@ fn few_triangles_are_tested_from_afar<V: Kind>(most: i32, step: usize) {
     let (mut draw, mut hits, mut asked) = (Draw::new(1), 0, 0);
     for maps in [vec![half], vec![turn], vec![turn, half, turn]] {
         let shapes = placed(sphere.clone(), &maps);
-        let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{maps:?}"), shapes });
+        let (flat, scene) = (InstanceOracle::new(&shapes), Scene { name: format!("{maps:?}"), shapes });
         let tracers = [hierarchies(&scene, Builder::Standard, 1), wide(&scene, Builder::Standard, 1)].map(|built| {
             let (assembly, object) = assembly(&built, &scene);
             InstanceTracer::new(&assembly, object, Method::default()).expect("any tree")

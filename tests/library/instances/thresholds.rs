@@ -8,7 +8,7 @@ use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::geom::{Mesh, Ray, Real, Vector};
 use stackless_bvh::trace::InstanceTracer;
 use stackless_bvh::traverse::Method;
-use stackless_check::{Flat, Shape, check_answer};
+use stackless_check::{InstanceOracle, Shape, check_answer};
 
 use super::scenes::{Kind, Scene, narrow, placed};
 use super::{assembly, hierarchies, rays};
@@ -41,7 +41,7 @@ fn closest<V: Kind>(
     let tracer = InstanceTracer::new(&assembly, object, Method::default()).expect("any tree");
     let [o, d] = [origin, direction].map(|v| narrow::<V>(DVec3::from(v)));
     let ray = Ray::within(o, d, V::Real::rounded(tmin), V::Real::INFINITY).expect("a ray");
-    let expected = Flat::new(&scene.shapes).all(&ray);
+    let expected = InstanceOracle::new(&scene.shapes).all(&ray);
     check_answer(&tracer, &expected, &ray).unwrap_or_else(|fault| panic!("{maps:?}, {ray:?}: {fault}"));
     expected.first().map(|hit| [hit.t.into(), hit.u.into()])
 }
@@ -118,7 +118,7 @@ fn thresholds_are_answered_by_rational_arithmetic<V: Kind>(most: i32, rounds: us
             continue;
         }
         let shapes = shapes::<V>(corners.map(|corner| corner.widen().to_array()), &maps);
-        let (flat, scene) = (Flat::new(&shapes), Scene { name: format!("{round}"), shapes });
+        let (flat, scene) = (InstanceOracle::new(&shapes), Scene { name: format!("{round}"), shapes });
         let Ok((assembly, objects)) = hierarchies(&scene, Builder::Standard, 1).assembly(&scene.shapes) else {
             continue;
         };

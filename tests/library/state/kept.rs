@@ -2,7 +2,7 @@
 
 use stackless_bvh::generate::{Exhaustive, Source, shape};
 use stackless_bvh::key::{Grow, KeyWord};
-use stackless_bvh::traverse::{Complete, Incomplete, Next, NoSuchKey, Paused, StateError, States, Unfit};
+use stackless_bvh::traverse::{Complete, Incomplete, Next, NoSuchKey, Paused, StateError, States, Unsupported};
 use stackless_bvh::tree::{Node, Topology, Tree};
 
 use super::chain;
@@ -76,12 +76,12 @@ fn errors_are_told_apart_by_their_texts() {
     let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None]).unwrap();
     let not_complete = Complete::of(&tree).unwrap_err();
     for (unfit, text) in [
-        (Unfit::TooDeep(too_deep), too_deep.to_string()),
-        (Unfit::NotComplete(not_complete), not_complete.to_string()),
-        (Unfit::NoSuchWord { word: "grow" }, "not made for the word grow".into()),
-        (Unfit::NoTable, "its tables were not built".into()),
-        (Unfit::NoPause, "its state cannot be put aside".into()),
-        (Unfit::Unordered, "it prunes, and the search is not ordered by distance".into()),
+        (Unsupported::TooDeep(too_deep), too_deep.to_string()),
+        (Unsupported::NotComplete(not_complete), not_complete.to_string()),
+        (Unsupported::NoSuchWord { word: "grow" }, "not made for the word grow".into()),
+        (Unsupported::NoTable, "its tables were not built".into()),
+        (Unsupported::NoPause, "its state cannot be put aside".into()),
+        (Unsupported::Unordered, "it prunes, and the search is not ordered by distance".into()),
     ] {
         assert_eq!(unfit.to_string(), text);
     }

@@ -3,8 +3,8 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Builder, Bvh};
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Form, Forms, RayQueries, WithTests};
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::trace::{self, Accuracy, BinaryTracer, KernelBvhs, KernelShape, RayQueries, WithTests};
+use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::tree::{Recorded, Topology};
 
 use super::{Contestant, timed};
@@ -16,17 +16,17 @@ use crate::judge::{Answer, Query};
 pub(super) struct Trees {
     build: Builder,
     /// With uncles in its records.
-    uncles: Forms,
+    uncles: KernelBvhs,
     /// With parents and siblings.
-    parents: Forms,
+    parents: KernelBvhs,
     build_seconds: f64,
 }
 
 impl Trees {
     pub(super) fn build(scene: &Scene, build: Builder) -> Result<Self, BuildError> {
         let (bvh, build_seconds) = timed(|| build::binary(build, scene))?;
-        let uncles = Forms::new(bvh.clone().with_links(Recorded::Uncles));
-        Ok(Self { build, uncles, parents: Forms::new(bvh), build_seconds })
+        let uncles = KernelBvhs::new(bvh.clone().with_links(Recorded::Uncles));
+        Ok(Self { build, uncles, parents: KernelBvhs::new(bvh), build_seconds })
     }
 
     pub(super) fn bvh(&self) -> &Bvh {
@@ -34,7 +34,11 @@ impl Trees {
     }
 
     /// A traversal, over the tree whose records suit it.
-    pub(super) fn contestant(&self, method: Method, accuracy: Accuracy) -> Result<Box<dyn Contestant + '_>, Unfit> {
+    pub(super) fn contestant(
+        &self,
+        method: Method,
+        accuracy: Accuracy,
+    ) -> Result<Box<dyn Contestant + '_>, Unsupported> {
         trace::with_level(accuracy, MakeRunner { trees: self, method, accuracy })
     }
 }
@@ -46,9 +50,11 @@ struct MakeRunner<'a> {
 }
 
 impl<'a> WithTests for MakeRunner<'a> {
-    type Output = Result<Box<dyn Contestant + 'a>, Unfit>;
+    type Output = Result<Box<dyn Contestant + 'a>, Unsupported>;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Self::Output {
+    fn call<K: Kernel<Vector = Vec3, Shape: KernelShape> + 'static, B: Slabs<Vector = Vec3> + 'static>(
+        self,
+    ) -> Self::Output {
         let forms = match self.method.wants_recorded() {
             Recorded::Uncles => &self.trees.uncles,
             _ => &self.trees.parents,
@@ -63,7 +69,7 @@ struct Runner<'a, K: Kernel, B> {
     tracer: BinaryTracer<&'a Bvh<K::Shape>, K, B>,
 }
 
-impl<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>> Contestant for Runner<'_, K, B> {
+impl<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>> Contestant for Runner<'_, K, B> {
     fn method(&self) -> &'static str {
         self.make.method.name()
     }

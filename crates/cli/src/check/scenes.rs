@@ -8,7 +8,7 @@ use glam::DVec3;
 use serde_json::Value;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::kernel::{Exact, Exact64};
-use stackless_bvh::geom::slabs::{Directed, Wide};
+use stackless_bvh::geom::slabs::{Directed, Slabs64};
 use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs, Triangle, Vector};
 use stackless_bvh::trace::Truth;
 use stackless_check::{Plan, SceneDisagreement, SceneTree, Shard, check_scene};
@@ -113,7 +113,7 @@ impl Scenes {
                         Ok((number, aimed.unwrap_or(ray)))
                     });
                     let rays = rays.collect::<Result<Vec<_>, RayError>>()?;
-                    check_one::<Exact64, Wide, _>(plan, index, scene, &truth, &rays, total)?;
+                    check_one::<Exact64, Slabs64, _>(plan, index, scene, &truth, &rays, total)?;
                     // A scene that was moved may have more of them.
                     if let Some(note) = scene.degenerate_note() {
                         warn(&note);

@@ -6,7 +6,7 @@ use stackless_bvh::geom::{Aabb, Ray};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Pruned;
 use stackless_bvh::trace::{AnyByNode, BinaryTracer, ClosestByNode, Query};
-use stackless_bvh::traverse::{Method, Need, Tables, Unfit, WithWord, with_word};
+use stackless_bvh::traverse::{Method, Need, Tables, Unsupported, WithWord, with_word};
 use stackless_bvh::tree::Implicit;
 use stackless_check::{Reads, Steps, Watched};
 
@@ -60,7 +60,7 @@ struct Walks<'a> {
 }
 
 impl<'a> Costs<'a> {
-    pub(super) fn new(bvh: &'a Bvh, method: Method, heat: Heat, any: bool) -> Result<Self, Unfit> {
+    pub(super) fn new(bvh: &'a Bvh, method: Method, heat: Heat, any: bool) -> Result<Self, Unsupported> {
         let needs_steps = match heat {
             Heat::Nodes | Heat::Boxes | Heat::Triangles | Heat::Fallback => false,
             Heat::Postponed | Heat::Backtrack => true,
@@ -121,9 +121,9 @@ struct Run<'r, 'a, 'q> {
 }
 
 impl WithWord for Run<'_, '_, '_> {
-    type Output = Result<(), Unfit>;
+    type Output = Result<(), Unsupported>;
 
-    fn call<W: KeyWord>(self) -> Result<(), Unfit> {
+    fn call<W: KeyWord>(self) -> Result<(), Unsupported> {
         let Self { tables, method, octant, mut query, reads, steps } = self;
         let linked = tables.tree();
         let watched = Watched { tree: &linked, watch: |node| reads.count(node) };

@@ -1,11 +1,11 @@
 //! A recording of a wide tree beside the oracle's.
 
-use super::observe::{self, Back, Kept, Log, Seen};
+use super::observe::{self, Back, LevelState, Log, Seen};
 use super::places::{Places, children};
 use super::text;
 use crate::{By, ExplainError, HashLookup, Next, Step};
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Method, Search, Tables, Topology, Tree, Words, is_beyond};
+use stackless_bvh::wide::{Method, Search, StateView, Tables, Topology, Tree, is_beyond};
 
 /// What the oracle does, and what the tree says of its nodes.
 #[derive(Debug)]
@@ -114,7 +114,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         &self,
         [node, child]: [Node; 2],
         end: u32,
-        kept: &Kept,
+        kept: &LevelState,
         postponed: &[(Node, u32)],
     ) -> Result<(), (&'static str, String, String)> {
         let wanted = &self.wanted[node.index()];
@@ -132,14 +132,14 @@ impl<'a, const A: usize> Judge<'a, A> {
             Err(("the pending set", expected, found))
         };
         match kept.words {
-            Words::Trail { pending, is_dirty } => {
+            StateView::Trail { pending, is_dirty } => {
                 sets(pending)?;
                 // Without an order nothing is beyond, and nobody reads the bit.
                 if self.is_sorted && is_dirty != kept.has_changed {
                     return Err(("the dirty bit", kept.has_changed.to_string(), is_dirty.to_string()));
                 }
             }
-            Words::Ranked { pending, is_open, ranks } => {
+            StateView::Ranked { pending, is_open, ranks } => {
                 sets(pending)?;
                 if is_open.is_some_and(|is_open| is_open != (pending != 0)) {
                     return Err(("the summary bit", (pending != 0).to_string(), (pending == 0).to_string()));
@@ -152,7 +152,7 @@ impl<'a, const A: usize> Judge<'a, A> {
                     return Err(("a rank", expected.to_string(), found.to_string()));
                 }
             }
-            Words::Number { number, is_last } => {
+            StateView::Number { number, is_last } => {
                 let named = |&&(child, _): &&(Node, u32)| self.is_sorted || !child.is_leaf();
                 let place = wanted.iter().filter(named).position(|&(other, _)| other == child);
                 if place != Some(number as usize) {

@@ -9,8 +9,8 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    Context, Cursor, Method, Next, Ranks, Scratch, Search, Supply, Tables, Topology, Tree, Unfit, Wanted, Words,
-    advance, oracle,
+    Context, Cursor, Method, Next, Ranks, Scratch, Search, StateView, Supply, Tables, Topology, Tree, Unsupported,
+    Wanted, advance, oracle,
 };
 
 /// What is seen from a visit to the next.
@@ -22,7 +22,7 @@ pub(super) struct Seen {
     /// The key of the node, where the traversal carries keys.
     pub(super) key: Option<u64>,
     /// What is kept of the nodes above, the root's first; none if it is not kept by levels.
-    pub(super) levels: Vec<Kept>,
+    pub(super) levels: Vec<LevelState>,
     /// Where the search ends, before the node is looked into.
     pub(super) end: u32,
     /// At an inner node: the wanted children with their ranks, the first one first.
@@ -37,8 +37,8 @@ pub(super) struct Seen {
 
 /// What is kept of a node above the present one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Kept {
-    pub(super) words: Words,
+pub(super) struct LevelState {
+    pub(super) words: StateView,
     /// The end has changed since the search was asked about the node.
     pub(super) has_changed: bool,
 }
@@ -66,7 +66,7 @@ pub(super) struct Log<'p> {
     /// Where it ended when it was asked about each node.
     asked: RefCell<Vec<Option<u32>>>,
     /// Key and kept levels of the child that was named last, until it is visited.
-    named: RefCell<Option<(Option<u64>, Vec<Kept>)>>,
+    named: RefCell<Option<(Option<u64>, Vec<LevelState>)>>,
     read: RefCell<Vec<Node>>,
 }
 
@@ -118,11 +118,11 @@ impl<'p> Log<'p> {
     }
 
     /// What a cursor keeps of the ancestors of a node, at a depth.
-    fn kept<const A: usize>(&self, cursor: &impl Cursor<A>, node: Node, own: u32) -> Vec<Kept> {
+    fn kept<const A: usize>(&self, cursor: &impl Cursor<A>, node: Node, own: u32) -> Vec<LevelState> {
         let of_ancestor = |ancestor: Node| {
             let words = cursor.words(own - self.places.depth(ancestor))?;
             let has_changed = self.asked.borrow()[ancestor.index()].is_some_and(|end| end != self.end.get());
-            Some(Kept { words, has_changed })
+            Some(LevelState { words, has_changed })
         };
         self.places.ancestors(node).into_iter().rev().map(of_ancestor).collect::<Option<_>>().unwrap_or_default()
     }
@@ -139,7 +139,7 @@ pub(super) fn run<const A: usize, S: Search<A>>(
     let (watched, memory) = (WatchedTree { tree, log }, &mut Scratch::default());
     let from = Supply { tree: &watched, tables, memory };
     let ran = method.dispatch(Run { from, search: Deciding::new(tree, search, log), log });
-    ran.map_err(|error| ExplainError::UnfitWide { method, error })
+    ran.map_err(|error| ExplainError::UnsupportedWide { method, error })
 }
 
 /// What the oracle does.
@@ -156,7 +156,7 @@ struct Run<'t, 'l, 'p, S, T> {
 impl<'t, const A: usize, T: Topology<A>, S: Search<A>> Context<'t, A, T> for Run<'t, '_, '_, S, T> {
     type Output = ();
 
-    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, T>) -> Result<C, Unsupported>) -> Result<(), Unsupported> {
         let Self { from, mut search, log } = self;
         let tree = from.tree;
         let mut cursor = Observed { cursor: start(from)?, log };

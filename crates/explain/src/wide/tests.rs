@@ -3,7 +3,7 @@
 use super::observe::{Log, Seen};
 use super::*;
 use stackless_bvh::trace::RayQueries;
-use stackless_bvh::wide::Words;
+use stackless_bvh::wide::StateView;
 
 fn compare(method: Method, change: impl FnOnce(&mut Vec<Seen>)) -> Result<usize, (&'static str, usize)> {
     let case = example();
@@ -21,7 +21,7 @@ fn compare(method: Method, change: impl FnOnce(&mut Vec<Seen>)) -> Result<usize,
 }
 
 /// What is kept of the root at the second visit.
-fn of_root(steps: &mut [Seen], change: impl FnOnce(&mut Words)) {
+fn of_root(steps: &mut [Seen], change: impl FnOnce(&mut StateView)) {
     change(&mut steps[1].levels[0].words);
 }
 
@@ -36,35 +36,35 @@ fn what_differs_from_the_oracle_is_seen() {
         assert_eq!(compare(method, |steps| steps[1].wanted = Some(Vec::new())), Err(("the answer", 1)), "{method}");
     }
     assert_eq!(compare(Method::Hashed, |steps| steps[2].key = Some(0o124)), Err(("the key", 2)));
-    let more = |words: &mut Words| match words {
-        Words::Trail { pending, .. } | Words::Ranked { pending, .. } => *pending ^= 1,
-        Words::Number { number, .. } => *number += 1,
+    let more = |words: &mut StateView| match words {
+        StateView::Trail { pending, .. } | StateView::Ranked { pending, .. } => *pending ^= 1,
+        StateView::Number { number, .. } => *number += 1,
     };
     for (method, what) in
         [(Method::Trail, "the pending set"), (Method::Recorded, "the pending set"), (Method::Restart0, "the number")]
     {
         assert_eq!(compare(method, |steps| of_root(steps, more)), Err((what, 1)), "{method}");
     }
-    let dirty = |words: &mut Words| {
-        if let Words::Trail { is_dirty, .. } = words {
+    let dirty = |words: &mut StateView| {
+        if let StateView::Trail { is_dirty, .. } = words {
             *is_dirty ^= true;
         }
     };
     assert_eq!(compare(Method::Trail, |steps| of_root(steps, dirty)), Err(("the dirty bit", 1)));
-    let closed = |words: &mut Words| {
-        if let Words::Ranked { is_open, .. } = words {
+    let closed = |words: &mut StateView| {
+        if let StateView::Ranked { is_open, .. } = words {
             *is_open = Some(false);
         }
     };
     assert_eq!(compare(Method::Hashed, |steps| of_root(steps, closed)), Err(("the summary bit", 1)));
-    let later = |words: &mut Words| {
-        if let Words::Ranked { ranks, .. } = words {
+    let later = |words: &mut StateView| {
+        if let StateView::Ranked { ranks, .. } = words {
             ranks[1] += 8;
         }
     };
     assert_eq!(compare(Method::Recorded, |steps| of_root(steps, later)), Err(("a rank", 1)));
-    let last = |words: &mut Words| {
-        if let Words::Number { is_last, .. } = words {
+    let last = |words: &mut StateView| {
+        if let StateView::Number { is_last, .. } = words {
             *is_last = true;
         }
     };

@@ -1,11 +1,11 @@
 //! What happens at a visit of a wide tree, in words and digits.
 
 use super::judge::Judge;
-use super::observe::{Back, Kept, Seen};
+use super::observe::{Back, LevelState, Seen};
 use crate::text::looked_up;
 use crate::{By, Next};
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Method, Words};
+use stackless_bvh::wide::{Method, StateView};
 
 /// The name of a node: its key to the base A, so that each digit but the first is a slot. Where nodes have two children it
 /// is decimal, as in binary trees.
@@ -38,21 +38,21 @@ pub(super) struct Digits {
 }
 
 impl Digits {
-    pub(super) fn of<const A: usize>(levels: &[Kept]) -> Self {
+    pub(super) fn of<const A: usize>(levels: &[LevelState]) -> Self {
         let mut digits = Self::default();
-        for Kept { words, .. } in levels {
+        for LevelState { words, .. } in levels {
             match *words {
-                Words::Trail { pending, is_dirty } => {
+                StateView::Trail { pending, is_dirty } => {
                     digits.trail.get_or_insert_default().push_str(&group::<A>(pending));
                     digits.cell("dirty", Some(is_dirty.into()));
                 }
-                Words::Ranked { pending, is_open, ranks: [first, second] } => {
+                StateView::Ranked { pending, is_open, ranks: [first, second] } => {
                     digits.sets.get_or_insert_default().push_str(&group::<A>(pending));
                     digits.cell("summary", is_open.map(u32::from));
                     digits.cell("1st rank", (first != 0).then_some(first / A as u32));
                     digits.cell("2nd rank", (second != 0).then_some(second / A as u32));
                 }
-                Words::Number { number, is_last } => {
+                StateView::Number { number, is_last } => {
                     digits.cell("number", Some(number));
                     digits.cell("last", Some(is_last.into()));
                 }
@@ -163,7 +163,7 @@ fn gone_back<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> 
 /// Whether a set between the two nodes is not empty, and was passed over without a look at its node.
 fn is_dropped<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> bool {
     let between = judge.places.depth(back.to) + 1..judge.places.depth(back.from);
-    let is_open = |kept: &Kept| matches!(kept.words, Words::Ranked { pending, .. } if pending != 0);
+    let is_open = |kept: &LevelState| matches!(kept.words, StateView::Ranked { pending, .. } if pending != 0);
     between.filter_map(|level| seen.levels.get(level as usize)).any(is_open)
 }
 

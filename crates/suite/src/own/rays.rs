@@ -8,7 +8,7 @@ use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs};
-use stackless_bvh::trace::{Accuracy, BinaryTracer, Form, Hit, MeshQueries, Search, WithTests, with_level};
+use stackless_bvh::trace::{Accuracy, BinaryTracer, Hit, KernelShape, MeshQueries, Search, WithTests, with_level};
 use stackless_bvh::traverse::{Stack, traverse};
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
@@ -44,7 +44,9 @@ struct Cast {
 impl WithTests for Cast {
     type Output = Vec<Value>;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form> + 'static, B: Slabs<Vector = Vec3> + 'static>(self) -> Vec<Value> {
+    fn call<K: Kernel<Vector = Vec3, Shape: KernelShape> + 'static, B: Slabs<Vector = Vec3> + 'static>(
+        self,
+    ) -> Vec<Value> {
         let Self { bvh, rays, any } = self;
         let bvh = bvh.map(K::Shape::from);
         let mut memory = Vec::new();

@@ -10,7 +10,7 @@ use stackless_bvh::generate::{Cell, Search, Tape};
 use stackless_bvh::key::{self, Grow, KeyWord, TooDeep, Word as _};
 use stackless_bvh::order::Flow;
 use stackless_bvh::traverse::{
-    ByWalk, KeyOnly, KeyTrail, Method, Next, Paused, Tables, Test, Unfit, WithWord, WordName, with_word,
+    ByWalk, KeyOnly, KeyTrail, Method, Next, Paused, Tables, Test, Unsupported, WithWord, WordName, with_word,
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::GoOn;
@@ -35,7 +35,7 @@ pub(super) fn claims(method: Option<Method>, word: WordName) -> (Vec<Feature>, O
         features.extend(wants.into_iter().filter_map(|(has, feature)| has.then_some(feature)));
     }
     let limit = match run(method, word, &deep) {
-        Err(Unfit::TooDeep(TooDeep { limit, .. })) => Some(limit),
+        Err(Unsupported::TooDeep(TooDeep { limit, .. })) => Some(limit),
         _ => None,
     };
     (features, limit)
@@ -68,7 +68,7 @@ pub(super) fn answer(method: Method, word: WordName, features: &[Feature], ask: 
 fn trace(method: Method, word: WordName, features: &[Feature], case: &stackless_check::Case, walk: &Walk) -> Answer {
     let (record, search) = match run(method, word, case) {
         Ok(run) => run,
-        Err(Unfit::TooDeep(_)) => return Answer::Reject("too-deep".to_owned()),
+        Err(Unsupported::TooDeep(_)) => return Answer::Reject("too-deep".to_owned()),
         Err(unfit) => return Answer::Unsupported(unfit.to_string()),
     };
     let keys = Keys::of(&case.tree);
@@ -90,7 +90,11 @@ fn trace(method: Method, word: WordName, features: &[Feature], case: &stackless_
     Answer::of(fields)
 }
 
-fn run(method: Method, word: WordName, case: &stackless_check::Case) -> Result<(Record, Search<'_, Tree>), Unfit> {
+fn run(
+    method: Method,
+    word: WordName,
+    case: &stackless_check::Case,
+) -> Result<(Record, Search<'_, Tree>), Unsupported> {
     let tables = Tables::new(&case.tree, case.tape.axes(), &[method], IMPLICIT_DEPTH);
     let mut search = Search::new(&case.tree, &case.tape, case.any);
     let mut record = Record::default();
@@ -154,7 +158,7 @@ impl WithWord for Resume<'_> {
         match tables.with_cursor::<W, _>(method, GoOn { from: start, search: &mut search, trace: &mut trace }) {
             Ok(Ok(())) => {}
             Ok(Err(error)) => return Some(Answer::Unsupported(error)),
-            Err(Unfit::TooDeep(_)) => return reject("too-deep"),
+            Err(Unsupported::TooDeep(_)) => return reject("too-deep"),
             Err(unfit) => return Some(Answer::Unsupported(unfit.to_string())),
         }
         let keys = Keys::of(tree);

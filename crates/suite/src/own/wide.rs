@@ -6,14 +6,14 @@ use super::text::hex;
 use crate::ask::WideWalk;
 use crate::bits::Bits;
 use crate::protocol::WideLimits;
-use crate::told::{Noted, Told, wide_events};
+use crate::scripted::{Noted, ScriptedSearch, wide_events};
 use crate::{Answer, Ask, Start, WideChildren};
 use stackless_bvh::event::{Recorder as _, State};
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    Context, Cursor, Method, Next, Scratch, Search as _, Supply, Tables, Topology as _, Tree, Unfit, Wanted, advance,
-    asked_keys,
+    Context, Cursor, Method, Next, Scratch, Search as _, Supply, Tables, Topology as _, Tree, Unsupported, Wanted,
+    advance, asked_keys,
 };
 
 /// Levels of the deepest chain that is tried.
@@ -81,11 +81,11 @@ fn traced<const A: usize, const SORTED: bool>(method: Method, walk: &WideWalk) -
 
 /// What came out.
 fn told<const A: usize, const SORTED: bool>(
-    ran: Result<Noted, Unfit>,
+    ran: Result<Noted, Unsupported>,
     tree: &Tree<A>,
     before: Option<Node>,
     walk: &WideWalk,
-    search: &Told<'_, A, SORTED>,
+    search: &ScriptedSearch<'_, A, SORTED>,
 ) -> Answer {
     match ran {
         Ok(Noted(visits)) => {
@@ -93,7 +93,7 @@ fn told<const A: usize, const SORTED: bool>(
             let events = json!(wide_events(tree, before, &visits));
             Answer::of([("events", events)].into_iter().chain(hit))
         }
-        Err(Unfit::TooDeep(_)) => reject("too-deep"),
+        Err(Unsupported::TooDeep(_)) => reject("too-deep"),
         Err(unfit) => Answer::Unsupported(unfit.to_string()),
     }
 }
@@ -139,14 +139,17 @@ struct GoOn<'t, 'a, 'w, const A: usize, const SORTED: bool> {
     way: &'a [(u32, u32)],
     leaf: Option<(u32, u32)>,
     is_visited: bool,
-    search: &'a mut Told<'w, A, SORTED>,
+    search: &'a mut ScriptedSearch<'w, A, SORTED>,
     noted: &'a mut Noted,
 }
 
 impl<'t, const A: usize, const SORTED: bool> Context<'t, A, Tree<A>> for GoOn<'t, '_, '_, A, SORTED> {
     type Output = ();
 
-    fn run<C: Cursor<A>>(self, start: impl Fn(Supply<'t, Tree<A>>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn run<C: Cursor<A>>(
+        self,
+        start: impl Fn(Supply<'t, Tree<A>>) -> Result<C, Unsupported>,
+    ) -> Result<(), Unsupported> {
         let Self { from, way, leaf, is_visited, search, noted } = self;
         let tree = from.tree;
         let mut cursor = start(from)?;

@@ -20,7 +20,7 @@ const FORBIDDEN: &[&str] = &[
     "stackless_check",
     "own::",
     "walk::",
-    "told::",
+    "scripted::",
     "Library",
     "RaysError",
     "WalkError",
@@ -75,6 +75,6 @@ fn what_is_shared_is_seen_in_every_form() {
     assert_eq!(seen("use stackless_bvh as library;"), [" "]);
     assert_eq!(seen("stackless_bvh::trail::backtrack_climbing(key, trail).0"), ["trail"]);
     assert_eq!(seen("let tree = walk.case()?.tree;\nuse crate::own::text::hex;"), [".case()", "own::"]);
-    assert_eq!(seen("let tree = walk.tree::<4>();\nuse crate::told::Told;"), [".tree::", "told::"]);
+    assert_eq!(seen("let tree = walk.tree::<4>();\nuse crate::scripted::ScriptedSearch;"), [".tree::", "scripted::"]);
     assert_eq!(seen("// stackless_bvh::hash\n#[cfg(test)]\nmod tests { use stackless_bvh::oracle; }"), [""; 0]);
 }

@@ -4,7 +4,9 @@ use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
 use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray, Slabs};
 use stackless_bvh::order::{ByNode, LeftOrder};
-use stackless_bvh::trace::{self, Accuracy, Form, Forms, KernelName, NodeSearch, Search, SlabsName, WithTests};
+use stackless_bvh::trace::{
+    self, Accuracy, KernelBvhs, KernelName, KernelShape, NodeSearch, Search, SlabsName, WithTests,
+};
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_bvh::tree::Node;
 
@@ -83,22 +85,22 @@ struct MakePair((KernelName, SlabsName));
 impl WithTests for MakePair {
     type Output = Pair;
 
-    fn call<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>>(self) -> Pair {
+    fn call<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>>(self) -> Pair {
         let (kernel, slabs) = self.0;
         Pair { kernel, slabs, closest: Searches::new::<K, B, false>(), any: Searches::new::<K, B, true>() }
     }
 }
 
 impl Searches {
-    fn new<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>() -> Self {
+    fn new<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>, const ANY: bool>() -> Self {
         Self { trace: trace::<K, B, ANY>, answer: answer::<K, B, ANY>, answers: answers::<K, B, ANY> }
     }
 }
 
 /// The trees over a mesh, in the forms that kernels want.
 pub(super) struct Trees {
-    area: Forms,
-    median: Forms,
+    area: KernelBvhs,
+    median: KernelBvhs,
     /// Of the tree by surface area.
     boxes: Vec<Aabb>,
 }
@@ -107,7 +109,7 @@ impl Trees {
     pub(super) fn new(mesh: &Mesh) -> Result<Self, BuildError> {
         let (area, median) = (Bvh::sah(mesh, SahOptions::default())?, Bvh::median(mesh, 4)?);
         let boxes = area.own_boxes();
-        Ok(Self { area: Forms::new(area), median: Forms::new(median), boxes })
+        Ok(Self { area: KernelBvhs::new(area), median: KernelBvhs::new(median), boxes })
     }
 
     /// The tree by surface area.
@@ -117,7 +119,7 @@ impl Trees {
 }
 
 #[inline(never)]
-fn trace<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn trace<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     trees: &Trees,
     rays: &[Ray],
     memory: &mut Vec<Node>,
@@ -134,7 +136,7 @@ fn trace<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const A
     sum
 }
 
-fn answer<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn answer<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     trees: &Trees,
     ray: &Ray,
     memory: &mut Vec<Node>,
@@ -142,7 +144,7 @@ fn answer<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const 
     nearer_first::<K, B, ANY>(&trees.area, ray, memory)
 }
 
-fn answers<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+fn answers<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>, const ANY: bool>(
     trees: &Trees,
     ray: &Ray,
     memory: &mut Vec<Node>,
@@ -158,8 +160,8 @@ fn answers<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const
     ]
 }
 
-fn nearer_first<K: Kernel<Vector = Vec3, Shape: Form>, B: Slabs<Vector = Vec3>, const ANY: bool>(
-    forms: &Forms,
+fn nearer_first<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>, const ANY: bool>(
+    forms: &KernelBvhs,
     ray: &Ray,
     memory: &mut Vec<Node>,
 ) -> Answer {

@@ -5,8 +5,8 @@ use std::hint::black_box;
 use serde::Serialize;
 use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{self, Ask, Asked, BinaryTracer, Part, Plan};
-use stackless_bvh::traverse::{Method, Unfit};
+use stackless_bvh::trace::{self, BinaryTracer, Part, PartialHit, Plan, QueryKind};
+use stackless_bvh::traverse::{Method, Unsupported};
 
 use crate::output::{Table, grouped, table};
 use crate::turns::{median_ratio, take_turns};
@@ -32,7 +32,7 @@ const ROUNDS: usize = 5;
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let bounced = trace::bounce(mesh, bvh, rays, 1);
     let mut rows = Vec::new();
-    for (query, ask, rays) in [("any hit", Ask::Any, &*bounced), ("closest hit", Ask::Distance, rays)] {
+    for (query, ask, rays) in [("any hit", QueryKind::Any, &*bounced), ("closest hit", QueryKind::Distance, rays)] {
         let lean = Plan::new(bvh, Method::Hashed, ask);
         // These queries never watch for repeats, so there is nothing to put back.
         let is_measured = |part: &Part| lean.skips(*part) && *part != Part::Repeats;
@@ -91,16 +91,16 @@ struct Setup<'a> {
 }
 
 impl<'a> Setup<'a> {
-    fn new(plan: &Plan, bvh: &'a Bvh) -> Result<Self, Unfit> {
+    fn new(plan: &Plan, bvh: &'a Bvh) -> Result<Self, Unsupported> {
         let tracer = BinaryTracer::planned(bvh, plan)?;
         let bytes = bvh.bytes() + tracer.bytes();
-        Ok(Self { tracer, names_triangle: plan.ask() != Ask::Any, bytes })
+        Ok(Self { tracer, names_triangle: plan.ask() != QueryKind::Any, bytes })
     }
 
     /// What is asked for, of what the tracer says.
     fn answers(&self, rays: &[Ray]) -> Vec<Option<(u32, f32)>> {
         let asked =
-            |asked: Asked| if self.names_triangle { (asked.prim, asked.t.unwrap_or_default()) } else { (0, 0.0) };
-        self.tracer.asked_each(rays).into_iter().map(|found| black_box(found).map(asked)).collect()
+            |asked: PartialHit| if self.names_triangle { (asked.prim, asked.t.unwrap_or_default()) } else { (0, 0.0) };
+        self.tracer.partial_hits_each(rays).into_iter().map(|found| black_box(found).map(asked)).collect()
     }
 }

@@ -8,8 +8,8 @@ use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Mesh, Ray};
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::trace::{self, Any, Ask, BinaryTracer, Continuation, Counters, Place, Plan};
-use stackless_bvh::traverse::{Method, Stack, Unfit, traverse};
+use stackless_bvh::trace::{self, Any, BinaryTracer, Continuation, Counters, Place, Plan, QueryKind};
+use stackless_bvh::traverse::{Method, Stack, Unsupported, traverse};
 use stackless_bvh::tree::Node;
 
 use crate::output::{Table, table};
@@ -29,8 +29,8 @@ pub(super) struct Row {
 type Step = (Ray, Place);
 
 /// Counts for primary rays, and for rays from where they hit.
-pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unfit> {
-    let tracer = |method| BinaryTracer::planned(bvh, &Plan::new(bvh, method, Ask::Distance));
+pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unsupported> {
+    let tracer = |method| BinaryTracer::planned(bvh, &Plan::new(bvh, method, QueryKind::Distance));
     let tracers = [
         ("nothing is pruned", tracer(Method::Hashed)?),
         ("disjoint intervals", tracer(Method::HashedDisjoint)?),

@@ -8,10 +8,10 @@ use stackless_bvh::geom::kernel::Exact;
 use stackless_bvh::geom::slabs::Directed;
 use stackless_bvh::geom::{Kernel, Ray, Slabs};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::order::{Descent, Flow, Visitor, Whole};
+use stackless_bvh::order::{Descent, Flow, Unpruned, Visitor};
 use stackless_bvh::trace::{BinaryTracer, Closest};
 use stackless_bvh::traverse::{
-    Method, Pause, Stack, Tables, Unfit, WithCursor, WithWord, traverse, traverse_pruned, with_word,
+    Method, Pause, Stack, Tables, Unsupported, WithCursor, WithWord, traverse, traverse_pruned, with_word,
 };
 use stackless_bvh::tree::{Implicit, Node, Recorded};
 
@@ -38,7 +38,7 @@ const ROUNDS: usize = 5;
 
 /// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once,
 /// and memory is read for all of them.
-pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unfit> {
+pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unsupported> {
     let with_uncles = bvh.clone().with_links(Recorded::Uncles);
     let tree = |method: Method| if method.wants_recorded() == Recorded::Uncles { &with_uncles } else { bvh };
     let mut tracers = Vec::new();
@@ -156,9 +156,9 @@ struct Replay<'r> {
 }
 
 impl WithWord for Replay<'_> {
-    type Output = Result<(), Unfit>;
+    type Output = Result<(), Unsupported>;
 
-    fn call<W: KeyWord>(self) -> Result<(), Unfit> {
+    fn call<W: KeyWord>(self) -> Result<(), Unsupported> {
         let Self { tape, tables, method, memory } = self;
         let known = Known(tape.descents.iter());
         if method == Method::Stack {
@@ -176,7 +176,7 @@ impl<W: KeyWord> WithCursor<W> for Known<'_> {
     type Output = ();
 
     fn call(mut self, cursor: impl Pause<Word = W>) {
-        traverse_pruned(cursor, &mut Whole(&mut self), &mut ());
+        traverse_pruned(cursor, &mut Unpruned(&mut self), &mut ());
     }
 }
 

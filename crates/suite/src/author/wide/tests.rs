@@ -2,7 +2,7 @@ use super::reference::Reference;
 use super::trace::drawn;
 use super::trees::chain;
 use super::{WIDTHS, levels_if_tree, profiles};
-use crate::told::{Noted, wide_events};
+use crate::scripted::{Noted, wide_events};
 use crate::{Ask, WideWalk};
 use stackless_bvh::wide::oracle;
 

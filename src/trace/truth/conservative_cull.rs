@@ -34,7 +34,7 @@ impl Bounds {
 }
 
 /// A ray, for tests that tell what it misses by far.
-pub(super) struct Gross {
+pub(super) struct ConservativeCull {
     origin: [f64; 3],
     direction: [f64; 3],
     tmin: f64,
@@ -49,7 +49,7 @@ const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::fro
 /// 2^-600.
 const LEAST: f64 = f64::from_bits((1023 - 600) << 52);
 
-impl Gross {
+impl ConservativeCull {
     pub(super) fn new<V: Vector>(ray: &Ray<V>) -> Self {
         let [origin, direction] = [ray.origin(), ray.direction()].map(|x| x.widen().to_array());
         Self::along(origin, direction, [ray.tmin().into(), ray.tmax().into()])

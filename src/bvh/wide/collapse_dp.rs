@@ -15,7 +15,7 @@ use crate::threads;
 /// Ylitie, Karras & Laine 2017, section 4. Of a node and i from 1 to A, the forest of at most i roots that cost least:
 /// with one root, a leaf, or an inner node over the forest of at most A below the two children together; with more, one
 /// with fewer roots, or forests below the left child and the right one.
-pub(super) struct Programme<'a, const A: usize> {
+pub(super) struct CollapseDp<'a, const A: usize> {
     pub(super) draft: &'a Draft,
     options: WideOptions,
     level: Level,
@@ -33,11 +33,11 @@ type Costs = [f32; 8];
 /// Where a [`Decision`] says what is below an inner node.
 const INNER: usize = 0;
 
-impl<'a, const A: usize> Programme<'a, A> {
+impl<'a, const A: usize> CollapseDp<'a, A> {
     pub(super) fn of(draft: &'a Draft, options: &WideOptions) -> Result<Self, BuildError> {
         let mut decisions = room(draft.nodes.len() / 2)?;
         decisions.resize_with(draft.nodes.len() / 2, AtomicU64::default);
-        let programme = Self { draft, options: *options, level: levels()[0].1, decisions };
+        let collapse_dp = Self { draft, options: *options, level: levels()[0].1, decisions };
         // The subtrees that are short are for all threads. Then comes what is above them.
         let (mut above, mut short, mut pending) = (Vec::new(), Vec::new(), vec![0]);
         while let Some(place) = pending.pop() {
@@ -53,14 +53,14 @@ impl<'a, const A: usize> Programme<'a, A> {
             0..short.len(),
             1,
             Memory::default,
-            |memory, i| vectorize!(programme.level, simd => programme.solve(simd, short[i], memory)),
+            |memory, i| vectorize!(collapse_dp.level, simd => collapse_dp.solve(simd, short[i], memory)),
         );
         let mut costs = costs.into_iter();
         let mut memory = Memory { order: above, ..Memory::default() };
-        vectorize!(programme.level, simd => programme.fold(simd, &mut memory, |node| {
+        vectorize!(collapse_dp.level, simd => collapse_dp.fold(simd, &mut memory, |node| {
             if node.count() > CUT { None } else { costs.next_back() }
         }));
-        Ok(programme)
+        Ok(collapse_dp)
     }
 
     #[inline(always)]

@@ -7,7 +7,7 @@ use crate::geom::{Region, Triangle};
 use crate::tree::Node;
 
 /// The shapes in the leaves of a hierarchy: all that rare queries need of it, but for boxes.
-pub trait Held<S> {
+pub trait LeafPrimitives<S> {
     /// What the tests of a ray need to know of the whole.
     fn region(&self) -> &Region;
 
@@ -24,7 +24,7 @@ pub trait Held<S> {
     fn shape(&self, place: usize) -> S;
 }
 
-impl<S: Copy> Held<S> for Bvh<S> {
+impl<S: Copy> LeafPrimitives<S> for Bvh<S> {
     #[inline]
     fn region(&self) -> &Region {
         self.region()
@@ -54,7 +54,7 @@ impl<S: Copy> Held<S> for Bvh<S> {
 }
 
 /// A place is four times the block's, and the lane.
-impl<const A: usize, V: Precision> Held<Triangle<V>> for WideBvh<A, V> {
+impl<const A: usize, V: Precision> LeafPrimitives<Triangle<V>> for WideBvh<A, V> {
     fn region(&self) -> &Region {
         self.region()
     }

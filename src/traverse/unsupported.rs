@@ -8,7 +8,7 @@ use crate::tree::{Recorded, Topology};
 
 /// Why a traversal does not run on a tree. `[CONF-3]` `[DISJOINT-5]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unfit {
+pub enum Unsupported {
     /// The tree is too deep for the word.
     TooDeep(TooDeep),
     /// The traversal is for complete trees.
@@ -29,14 +29,14 @@ pub enum Unfit {
     Unordered,
 }
 
-impl Unfit {
+impl Unsupported {
     /// For constructors of cursors that follow links.
     pub(super) fn unless_linked(tree: &impl Topology, wanted: Recorded) -> Result<(), Self> {
         if tree.names(wanted) { Ok(()) } else { Err(Self::NoLinks(wanted)) }
     }
 }
 
-impl fmt::Display for Unfit {
+impl fmt::Display for Unsupported {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooDeep(error) => error.fmt(f),
@@ -51,15 +51,15 @@ impl fmt::Display for Unfit {
     }
 }
 
-impl core::error::Error for Unfit {}
+impl core::error::Error for Unsupported {}
 
-impl From<TooDeep> for Unfit {
+impl From<TooDeep> for Unsupported {
     fn from(error: TooDeep) -> Self {
         Self::TooDeep(error)
     }
 }
 
-impl From<NotComplete> for Unfit {
+impl From<NotComplete> for Unsupported {
     fn from(error: NotComplete) -> Self {
         Self::NotComplete(error)
     }

@@ -11,20 +11,20 @@ use crate::geom::kernel::AffineTriangle;
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::kernel::AffineTriangle, geom::Mesh, trace::Forms};
+/// use stackless_bvh::{bvh::Bvh, geom::kernel::AffineTriangle, geom::Mesh, trace::KernelBvhs};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
-/// let forms = Forms::new(Bvh::median(&mesh, 1)?);
+/// let forms = KernelBvhs::new(Bvh::median(&mesh, 1)?);
 /// assert_eq!(forms.of::<AffineTriangle>().nodes(), forms.corners().nodes());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub struct Forms {
+pub struct KernelBvhs {
     corners: Bvh,
     affine: OnceLock<Bvh<AffineTriangle>>,
 }
 
-impl Forms {
+impl KernelBvhs {
     /// The forms of this hierarchy.
     pub fn new(bvh: Bvh) -> Self {
         Self { corners: bvh, affine: OnceLock::new() }
@@ -36,25 +36,25 @@ impl Forms {
     }
 
     /// The hierarchy with triangles of this shape.
-    pub fn of<S: Form>(&self) -> &Bvh<S> {
+    pub fn of<S: KernelShape>(&self) -> &Bvh<S> {
         S::form(self)
     }
 }
 
-/// A shape of triangles that [`Forms`] have.
-pub trait Form: Copy + From<Triangle> + 'static {
-    /// As [`Forms::of`].
-    fn form(forms: &Forms) -> &Bvh<Self>;
+/// A shape of triangles that [`KernelBvhs`] have.
+pub trait KernelShape: Copy + From<Triangle> + 'static {
+    /// As [`KernelBvhs::of`].
+    fn form(forms: &KernelBvhs) -> &Bvh<Self>;
 }
 
-impl Form for Triangle {
-    fn form(forms: &Forms) -> &Bvh<Self> {
+impl KernelShape for Triangle {
+    fn form(forms: &KernelBvhs) -> &Bvh<Self> {
         &forms.corners
     }
 }
 
-impl Form for AffineTriangle {
-    fn form(forms: &Forms) -> &Bvh<Self> {
+impl KernelShape for AffineTriangle {
+    fn form(forms: &KernelBvhs) -> &Bvh<Self> {
         forms.affine.get_or_init(|| forms.corners.clone().map(Self::from))
     }
 }

@@ -60,7 +60,7 @@ fn check<const A: usize>(n: usize, options: &WideOptions) {
     let as_node = f64::from(root.half_area() * options.node_cost);
     let whole = costs.forest(root, 1);
     let expected =
-        if Programme::<A>::of(&draft, options).expect("memory").is_leaf(0) { whole + as_node } else { whole };
+        if CollapseDp::<A>::of(&draft, options).expect("memory").is_leaf(0) { whole + as_node } else { whole };
     let found = cost(&wide, options);
     assert!((found - expected).abs() < 1e-5 * expected, "{n} {A} {options:?}: {found} {expected}");
 }

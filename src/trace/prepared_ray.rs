@@ -1,7 +1,7 @@
 //! A ray among the boxes and triangles of a hierarchy: what rare queries share. (The frequent ones have it in
 //! [`Search`](super::Search).)
 
-use super::held::Held;
+use super::leaf_primitives::LeafPrimitives;
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
 use crate::geom::slabs::Intervals;
@@ -11,7 +11,7 @@ use crate::tree::{Node, Topology};
 
 /// A ray that is prepared for the tests of a hierarchy `H`.
 #[derive(Clone, Debug)]
-pub(super) struct Cast<'a, K: Kernel, B, H> {
+pub(super) struct PreparedRay<'a, K: Kernel, B, H> {
     pub(super) bvh: &'a H,
     pub(super) kernel: K,
     pub(super) slabs: B,
@@ -19,13 +19,13 @@ pub(super) struct Cast<'a, K: Kernel, B, H> {
     pub(super) end: Real<K>,
 }
 
-impl<'a, K: Kernel, B, H: Held<K::Shape>> Cast<'a, K, B, H> {
+impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> PreparedRay<'a, K, B, H> {
     pub(super) fn with(bvh: &'a H, ray: &Ray<K::Vector>, slabs: B) -> Self {
         Self { bvh, kernel: K::new(ray, bvh.region()), slabs, end: ray.tmax() }
     }
 }
 
-impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> Cast<'a, K, B, Bvh<K::Shape>> {
+impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> PreparedRay<'a, K, B, Bvh<K::Shape>> {
     pub(super) fn new(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>) -> Self {
         Self::with(bvh, ray, B::new(ray, bvh.region()))
     }

@@ -13,7 +13,7 @@ use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Triangle, Vector};
 use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object, RayQueries};
 
-type Whole = [IBig; 3];
+type IntegerPoint = [IBig; 3];
 
 /// What is placed, as the oracle knows it.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,7 +107,7 @@ pub struct InstanceFault<R: Real = f32> {
 /// The first answer that is wrong.
 pub fn check_instances<V: Vector>(
     tracer: &InstanceTracer<V>,
-    flat: &Flat<V>,
+    flat: &InstanceOracle<V>,
     ray: &Ray<V>,
 ) -> Result<bool, InstanceFault<V::Real>> {
     check_answer(tracer, &flat.all(ray), ray)
@@ -145,7 +145,7 @@ pub fn check_answer<V: Vector>(
 
 /// All triangles of the last shape, moved to where they are. `[INST-1]`
 #[derive(Debug)]
-pub struct Flat<V: Vector = Vec3> {
+pub struct InstanceOracle<V: Vector = Vec3> {
     triangles: Vec<Placed<V>>,
     /// Coordinates are integers over 2 to this power.
     log: usize,
@@ -155,12 +155,12 @@ pub struct Flat<V: Vector = Vec3> {
 struct Placed<V> {
     path: Vec<u32>,
     prim: u32,
-    exact: [Whole; 3],
+    exact: [IntegerPoint; 3],
     /// Rounded.
     corners: [V; 3],
 }
 
-impl<V: Vector> Flat<V> {
+impl<V: Vector> InstanceOracle<V> {
     /// Moves them. Groups must place shapes that come before them.
     pub fn new(shapes: &[Shape<V>]) -> Self {
         let mut found = Vec::new();
@@ -237,10 +237,10 @@ fn collect<V: Vector>(
 
 /// Distance and weights of the hit of a line, if the triangle is hit: Cramer's rule for o + t d = a + u (b - a) + v (c
 /// - a).
-pub(crate) fn meet([a, b, c]: &[Whole; 3], o: &Whole, d: &Whole) -> Option<[RBig; 3]> {
-    let minus = |x: &Whole, y: &Whole| -> Whole { std::array::from_fn(|k| &x[k] - &y[k]) };
+pub(crate) fn meet([a, b, c]: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerPoint) -> Option<[RBig; 3]> {
+    let minus = |x: &IntegerPoint, y: &IntegerPoint| -> IntegerPoint { std::array::from_fn(|k| &x[k] - &y[k]) };
     let (e, f, s) = (minus(b, a), minus(c, a), minus(o, a));
-    let back: Whole = d.clone().map(|x| -x);
+    let back: IntegerPoint = d.clone().map(|x| -x);
     let whole = determinant(&e, &f, &back);
     if whole.is_zero() {
         return None;
@@ -254,7 +254,7 @@ pub(crate) fn meet([a, b, c]: &[Whole; 3], o: &Whole, d: &Whole) -> Option<[RBig
 }
 
 /// Of the matrix with these columns.
-fn determinant(a: &Whole, b: &Whole, c: &Whole) -> IBig {
+fn determinant(a: &IntegerPoint, b: &IntegerPoint, c: &IntegerPoint) -> IBig {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
 }

@@ -21,7 +21,7 @@ pub const STRICT_STEPS: u32 = 3;
 /// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance
 /// in the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
-pub struct Wide {
+pub struct Slabs64 {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
     origin: [Vec4; 3],
     inverse: [Vec4; 3],
@@ -40,7 +40,7 @@ pub(super) const BEYOND: f64 = 1.0 + f64::EPSILON;
 /// The least number of single precision, 2^-149.
 pub(super) const LEAST: f64 = f64::from_bits((1023 - 149) << 52);
 
-impl Slabs for Wide {
+impl Slabs for Slabs64 {
     type Vector = DVec3;
 
     fn new(ray: &Ray<DVec3>, region: &Region) -> Self {
@@ -76,7 +76,7 @@ impl Slabs for Wide {
     }
 }
 
-impl Wide {
+impl Slabs64 {
     /// A distance, given in units of the lanes from the start on.
     #[inline(always)]
     fn distance(&self, from_start: f64) -> f64 {
@@ -95,7 +95,7 @@ impl Wide {
     }
 }
 
-/// It gets the ray by value, so that nothing points into a [`Wide`], which then can be in registers.
+/// It gets the ray by value, so that nothing points into a [`Slabs64`], which then can be in registers.
 #[cold]
 #[inline(never)]
 fn pair_slow(entered: Entered, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {

@@ -18,7 +18,7 @@ impl WideWalk {
     }
 
     /// The search, at its beginning. `None` if ranks or hits do not fit the tree.
-    pub fn search<const A: usize, const SORTED: bool>(&self) -> Option<Told<'_, A, SORTED>> {
+    pub fn search<const A: usize, const SORTED: bool>(&self) -> Option<ScriptedSearch<'_, A, SORTED>> {
         let is_slot = |(slot, rank): (usize, &Option<u32>)| rank.is_none_or(|rank| rank as usize % A == slot);
         let fits = self.children.len() == self.ranks.len()
             && self.hits.as_ref().is_none_or(|hits| hits.len() == self.children.len())
@@ -28,7 +28,7 @@ impl WideWalk {
                 _ => false,
             });
         let fits = fits && self.is_sorted() == SORTED;
-        fits.then(|| Told { walk: self, end: self.end.unwrap_or(u32::MAX), best: self.hit })
+        fits.then(|| ScriptedSearch { walk: self, end: self.end.unwrap_or(u32::MAX), best: self.hit })
     }
 
     /// Whether children come in the order of their ranks. `[WIDE-5]` `[WIDE-6]`
@@ -39,13 +39,13 @@ impl WideWalk {
 
 /// A search that does as a case says.
 #[derive(Clone, Debug)]
-pub struct Told<'w, const A: usize, const SORTED: bool> {
+pub struct ScriptedSearch<'w, const A: usize, const SORTED: bool> {
     walk: &'w WideWalk,
     end: u32,
     best: Option<Best>,
 }
 
-impl<const A: usize, const SORTED: bool> Told<'_, A, SORTED> {
+impl<const A: usize, const SORTED: bool> ScriptedSearch<'_, A, SORTED> {
     /// The best hit so far.
     pub const fn best(&self) -> Option<Best> {
         self.best
@@ -64,7 +64,7 @@ impl<const A: usize, const SORTED: bool> Told<'_, A, SORTED> {
     }
 }
 
-impl<const A: usize, const SORTED: bool> wide::Search<A> for Told<'_, A, SORTED> {
+impl<const A: usize, const SORTED: bool> wide::Search<A> for ScriptedSearch<'_, A, SORTED> {
     const SORTED: bool = SORTED;
     type Ranks = [u32; A];
 

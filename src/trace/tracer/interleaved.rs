@@ -1,4 +1,4 @@
-//! The loop over rays: one alone, or two in turns.
+//! The loop over rays: one alone, or two interleaved.
 
 use std::cell::Cell;
 
@@ -10,11 +10,11 @@ use crate::bvh::WideBvh;
 use crate::geom::Ray;
 use crate::geom::lanes::{Hits as _, Level, Precision, vectorize};
 use crate::trace::memory::lend;
-use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unfit, advance, traverse};
+use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unsupported, advance, traverse};
 
 /// What is asked of each ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Ask {
+pub(super) enum HitQuery {
     /// The closest hit.
     Closest,
     /// The same; the weights in the answer are 0.
@@ -31,7 +31,7 @@ pub(super) struct Job<'a, V: Precision> {
     pub(super) bvh: &'a WideBvh<8, V>,
     pub(super) tables: &'a Tables,
     pub(super) level: Level,
-    pub(super) ask: Ask,
+    pub(super) ask: HitQuery,
 }
 
 /// Gets the number of a ray and its answer.
@@ -42,13 +42,13 @@ pub(super) fn trace_one<V: Precision>(
     method: Method,
     job: Job<'_, V>,
     ray: &Ray<V>,
-) -> Result<Option<HitOf<V>>, Unfit> {
+) -> Result<Option<HitOf<V>>, Unsupported> {
     if !has_copy::<V>(method) {
         return shared::trace(method, job, ray);
     }
     with_memory(|[memory, _]| match job.ask {
-        Ask::Closest | Ask::Distance => dispatch(method, One::<V, false> { job, ray, memory }),
-        Ask::Any | Ask::AnyHit => dispatch(method, One::<V, true> { job, ray, memory }),
+        HitQuery::Closest | HitQuery::Distance => dispatch(method, One::<V, false> { job, ray, memory }),
+        HitQuery::Any | HitQuery::AnyHit => dispatch(method, One::<V, true> { job, ray, memory }),
     })
 }
 
@@ -58,7 +58,7 @@ pub(super) fn trace<V: Precision>(
     job: Job<'_, V>,
     rays: &[Ray<V>],
     answer: &mut Answer<'_, V>,
-) -> Result<(), Unfit> {
+) -> Result<(), Unsupported> {
     if let [ray] = rays {
         return trace_one(method, job, ray).map(|hit| answer(0, hit));
     }
@@ -71,8 +71,8 @@ pub(super) fn trace<V: Precision>(
         return Ok(());
     }
     with_memory(|memory| match job.ask {
-        Ask::Closest | Ask::Distance => dispatch(method, Several::<V, false> { job, rays, answer, memory }),
-        Ask::Any | Ask::AnyHit => dispatch(method, Several::<V, true> { job, rays, answer, memory }),
+        HitQuery::Closest | HitQuery::Distance => dispatch(method, Several::<V, false> { job, rays, answer, memory }),
+        HitQuery::Any | HitQuery::AnyHit => dispatch(method, Several::<V, true> { job, rays, answer, memory }),
     })
 }
 
@@ -86,7 +86,7 @@ fn has_copy<V: Precision>(method: Method) -> bool {
 fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(
     method: Method,
     context: X,
-) -> Result<X::Output, Unfit> {
+) -> Result<X::Output, Unsupported> {
     if V::HAS_ALL_COPIES { method.dispatch(context) } else { Method::recorded(context) }
 }
 
@@ -114,8 +114,8 @@ impl<'t, V: Precision, const ANY: bool> Context<'t, 8, WideBvh<8, V>> for One<'t
     #[inline(always)]
     fn run<C: Cursor<8>>(
         self,
-        start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unfit>,
-    ) -> Result<Self::Output, Unfit> {
+        start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unsupported>,
+    ) -> Result<Self::Output, Unsupported> {
         let Self { job: Job { bvh, tables, level, ask }, ray, memory } = self;
         let cursor = start(Supply { tree: bvh, tables, memory })?;
         Ok(vectorize!(level, simd => alone::<_, C, V, ANY>(simd, cursor, bvh, ray, ask)))
@@ -134,12 +134,15 @@ impl<'t, V: Precision, const ANY: bool> Context<'t, 8, WideBvh<8, V>> for Severa
     type Output = ();
 
     #[inline(always)]
-    fn run<C: Cursor<8>>(self, start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unfit>) -> Result<(), Unfit> {
+    fn run<C: Cursor<8>>(
+        self,
+        start: impl Fn(Supply<'t, WideBvh<8, V>>) -> Result<C, Unsupported>,
+    ) -> Result<(), Unsupported> {
         let Self { job, rays, answer, memory: [first, second] } = self;
         let Job { bvh: tree, tables, level, .. } = job;
         let cursors = [start(Supply { tree, tables, memory: first })?, start(Supply { tree, tables, memory: second })?];
         if let [one, two, rest @ ..] = rays {
-            vectorize!(level, simd => in_turns::<_, C, V, ANY>(simd, cursors, [one, two], rest, job, answer));
+            vectorize!(level, simd => interleaved::<_, C, V, ANY>(simd, cursors, [one, two], rest, job, answer));
         }
         Ok(())
     }
@@ -152,7 +155,7 @@ fn alone<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
     cursor: C,
     bvh: &WideBvh<8, V>,
     ray: &Ray<V>,
-    ask: Ask,
+    ask: HitQuery,
 ) -> Option<HitOf<V>> {
     let (tree, mut hits) = (bvh.tree(), V::Hits::new(ray, bvh.region()));
     let mut search = WideSearch::<S, V, ANY>::new(simd, bvh, tree, &mut hits);
@@ -162,7 +165,7 @@ fn alone<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
 
 /// Two rays at a time: while one waits for memory, the other computes. `rest` follows the first two.
 #[inline(always)]
-fn in_turns<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
+fn interleaved<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
     simd: S,
     [mut cursor_a, mut cursor_b]: [C; 2],
     [a, b]: [&Ray<V>; 2],

@@ -9,7 +9,7 @@ use crate::key::{KeyWord, TooDeep, Word};
 
 /// A level to go back to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Level {
+pub struct PendingLevel {
     /// How many levels up its node is.
     pub up: u32,
     /// The pending children of that node. Not empty.
@@ -20,7 +20,7 @@ pub struct Level {
 
 /// What a traversal keeps of a node on its path. `[WIDE-20]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Words {
+pub enum StateView {
     /// A group of the trail. `[WIDE-18]`
     Trail {
         /// The pending children.
@@ -47,7 +47,7 @@ pub enum Words {
 }
 
 /// The pending children of all nodes above the present one.
-pub trait Kept<const A: usize>: Debug {
+pub trait PendingStore<const A: usize>: Debug {
     /// Most levels of inner nodes below the root.
     const LEVELS: u32;
 
@@ -62,7 +62,7 @@ pub trait Kept<const A: usize>: Debug {
 
     /// Back to the deepest level that has pending children and is not known to be beyond the end, which becomes the
     /// present one. `None` if there is none.
-    fn pop(&mut self, end: u32) -> Option<Level>;
+    fn pop(&mut self, end: u32) -> Option<PendingLevel>;
 
     /// The end of the search has become less.
     fn shortened(&mut self) {}
@@ -77,7 +77,7 @@ pub trait Kept<const A: usize>: Debug {
 
     /// What is kept of the node so many levels above the present one. Of the present one itself, 0 levels above, set and
     /// ranks are the cursor's.
-    fn words(&self, _up: u32, _pending: u32, _nexts: [RankedChild; 2]) -> Option<Words> {
+    fn words(&self, _up: u32, _pending: u32, _nexts: [RankedChild; 2]) -> Option<StateView> {
         None
     }
 
@@ -93,7 +93,7 @@ pub trait Kept<const A: usize>: Debug {
     }
 }
 
-impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
+impl<const A: usize, K: PendingStore<A>> PendingStore<A> for &mut K {
     const LEVELS: u32 = K::LEVELS;
     const NAME: &'static str = K::NAME;
 
@@ -108,7 +108,7 @@ impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
     }
 
     #[inline(always)]
-    fn pop(&mut self, end: u32) -> Option<Level> {
+    fn pop(&mut self, end: u32) -> Option<PendingLevel> {
         (**self).pop(end)
     }
 
@@ -127,7 +127,7 @@ impl<const A: usize, K: Kept<A>> Kept<A> for &mut K {
         (**self).is_stale()
     }
 
-    fn words(&self, up: u32, pending: u32, nexts: [RankedChild; 2]) -> Option<Words> {
+    fn words(&self, up: u32, pending: u32, nexts: [RankedChild; 2]) -> Option<StateView> {
         (**self).words(up, pending, nexts)
     }
 }
@@ -210,7 +210,7 @@ pub trait Count: Clone + Add<u32, Output = Self> + Shl<u32, Output = Self> + Shr
 
 impl<N: Clone + Add<u32, Output = Self> + Shl<u32, Output = Self> + Shr<u32, Output = Self>> Count for N {}
 
-impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
+impl<const A: usize, W: TrailWord> PendingStore<A> for Trail<W> {
     const LEVELS: u32 = match W::WIDTH {
         Some(width) => width / A as u32,
         None => 0,
@@ -229,14 +229,14 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
     }
 
     #[inline(always)]
-    fn pop(&mut self, _: u32) -> Option<Level> {
+    fn pop(&mut self, _: u32) -> Option<PendingLevel> {
         if self.trail.is_zero() {
             return None;
         }
         let (up, pending, rest) = back::<A, W>(self.trail);
         self.trail = rest;
         self.stale = self.stale_above(up);
-        Some(Level { up, pending: pending.low_bits(), nexts: [RankedChild::NONE; 2] })
+        Some(PendingLevel { up, pending: pending.low_bits(), nexts: [RankedChild::NONE; 2] })
     }
 
     #[inline(always)]
@@ -254,10 +254,10 @@ impl<const A: usize, W: TrailWord> Kept<A> for Trail<W> {
         self.stale & 1 == 1
     }
 
-    fn words(&self, up: u32, pending: u32, _: [RankedChild; 2]) -> Option<Words> {
+    fn words(&self, up: u32, pending: u32, _: [RankedChild; 2]) -> Option<StateView> {
         let above = (0..A as u32 * up.saturating_sub(1)).fold(self.trail, |trail, _| trail.shr1());
         let set = if up == 0 { pending } else { above.low_bits() & ((1 << A) - 1) };
-        Some(Words::Trail { pending: set, is_dirty: self.stale_above(up) & 1 == 1 })
+        Some(StateView::Trail { pending: set, is_dirty: self.stale_above(up) & 1 == 1 })
     }
 }
 
@@ -290,7 +290,7 @@ impl Ranked {
     }
 }
 
-impl<const A: usize> Kept<A> for Ranked {
+impl<const A: usize> PendingStore<A> for Ranked {
     const LEVELS: u32 = LEVELS as u32;
     const NAME: &'static str = "a set and ranks for each of 32 levels";
 
@@ -309,7 +309,7 @@ impl<const A: usize> Kept<A> for Ranked {
     }
 
     #[inline(always)]
-    fn pop(&mut self, end: u32) -> Option<Level> {
+    fn pop(&mut self, end: u32) -> Option<PendingLevel> {
         while self.summary != 0 {
             let level = self.summary.ilog2();
             self.summary ^= 1 << level;
@@ -320,17 +320,17 @@ impl<const A: usize> Kept<A> for Ranked {
             }
             let up = self.level - level;
             self.level = level;
-            return Some(Level { up, pending: u32::from(self.sets[at]), nexts });
+            return Some(PendingLevel { up, pending: u32::from(self.sets[at]), nexts });
         }
         None
     }
 
-    fn words(&self, up: u32, pending: u32, nexts: [RankedChild; 2]) -> Option<Words> {
+    fn words(&self, up: u32, pending: u32, nexts: [RankedChild; 2]) -> Option<StateView> {
         let at = self.level.wrapping_sub(up) as usize & (LEVELS - 1);
         let (pending, is_open, nexts) = match up {
             0 => (pending, None, nexts),
             _ => (u32::from(self.sets[at]), Some(self.summary >> at & 1 == 1), self.nexts[at]),
         };
-        Some(Words::Ranked { pending, is_open, ranks: nexts.map(RankedChild::rank) })
+        Some(StateView::Ranked { pending, is_open, ranks: nexts.map(RankedChild::rank) })
     }
 }

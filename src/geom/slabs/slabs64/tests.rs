@@ -91,7 +91,7 @@ proptest! {
         let Case { frame, boxes: [a, b], ray } = &case;
         let region = Region::within(*frame, &a.union(*b));
         let (wide, entered, exact) =
-            (Wide::new(ray, &region), Entered::new(ray, &region), Entered::exactly(ray, &region));
+            (Slabs64::new(ray, &region), Entered::new(ray, &region), Entered::exactly(ray, &region));
         holds(&case, |planes, tmax| wide.pair(planes, tmax))?;
         holds(&case, |planes, tmax| entered.pair(planes, tmax))?;
         holds(&case, |planes, tmax| exact.pair(planes, tmax))?;
@@ -126,7 +126,7 @@ proptest! {
         let d = ray.direction().abs();
         let is_plain = d.to_array().iter().all(|&x| x == 0.0 || x > 1e-30 * d.max_element());
         if is_plain && truly(&case, &wider, [0.0, f64::INFINITY]).is_none() {
-            prop_assert!(Wide::new(ray, &region).one(a, f64::INFINITY).is_none());
+            prop_assert!(Slabs64::new(ray, &region).one(a, f64::INFINITY).is_none());
             let [exact, entered] = [Entered::exactly(ray, &region), Entered::new(ray, &region)];
             prop_assert!([exact, entered].iter().all(|slabs| !slabs.pair(&planes([*a, *b]), f64::INFINITY).hit[0]));
         }
@@ -161,7 +161,7 @@ fn holds(case: &Case, pair: impl Fn(&[[f32; 4]; 3], f64) -> Intervals<f64>) -> R
 fn beyond_its_range_it_is_slow_and_still_skips() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
     let hits = |o: DVec3, d: DVec3| {
-        let slabs = Wide::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
+        let slabs = Slabs64::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
         (slabs.entered.is_some(), slabs.one(&aabb, f64::INFINITY).is_some())
     };
     assert_eq!(hits(DVec3::splat(-1.0), DVec3::splat(1e-200)), (false, true));
@@ -188,11 +188,11 @@ fn what_is_passed_by_is_skipped() {
             (DVec3::new(1e300, 0.5, 0.5), DVec3::new(1.0, tiny, 0.0)),
             (DVec3::new(-2.0, -1e300, 0.5), DVec3::new(1.0, 0.0, tiny)),
         ] {
-            let slabs = Wide::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
+            let slabs = Slabs64::new(&Ray::new(o, d).expect("a ray"), &Region::of(&aabb));
             assert!(slabs.entered.is_none() && slabs.one(&aabb, f64::INFINITY).is_none(), "{o} {d}");
         }
         let inside = Ray::new(DVec3::new(-2.0, 0.5, 0.5), DVec3::new(1.0, -tiny, tiny)).expect("a ray");
-        assert!(Wide::new(&inside, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
+        assert!(Slabs64::new(&inside, &Region::of(&aabb)).one(&aabb, f64::INFINITY).is_some());
     }
 }
 
@@ -204,7 +204,7 @@ fn what_is_beyond_the_end_is_skipped_from_afar() {
     let region = Region::of(&near.union(far));
     for (tmax, reaches) in [(1e9 - 20.0, [false, false]), (1e9 - 5.0, [true, false]), (1e9 + 0.5, [true, true])] {
         let ray = Ray::within(DVec3::new(-1e9, 0.5, 0.5), DVec3::X, 0.0, tmax).expect("a ray");
-        let slabs = Wide::new(&ray, &region);
+        let slabs = Slabs64::new(&ray, &region);
         assert_eq!([near, far].map(|aabb| slabs.one(&aabb, tmax).is_some()), reaches, "{tmax}");
     }
 }
