@@ -34,7 +34,7 @@ pub use interval::Interval;
 pub use kernel::Kernel;
 pub(crate) use kernel::order_of_lines;
 pub use mesh::{MAX_COUNT, Mesh, MeshError};
-pub use nearest::Measure;
+pub use nearest::{Foot, Measure};
 pub(crate) use once::Once;
 pub use ray::{Ray, RayError};
 pub use region::Region;

@@ -19,7 +19,11 @@
 mod afar;
 mod cone;
 mod enclosure;
+mod foot;
 mod point;
+
+pub use foot::Foot;
+pub(super) use foot::unit_normal;
 
 use std::ops::RangeInclusive;
 

@@ -2,7 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Aabb, Frame, Vector};
+use super::nearest::unit_normal;
+use super::{Aabb, Frame, Vector, truth};
 
 /// A triangle by its corners, in single precision, or with [`DVec3`] in double.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,21 @@ impl<V: Vector> Triangle<V> {
     #[inline]
     pub fn aabb(&self) -> Aabb {
         Frame::IDENTITY.aabb(self)
+    }
+
+    /// The normal of length 1, each component the float nearest to the exact one; a zero is positive. The corners run
+    /// counterclockwise seen from where it points. `None` without an area, or if a coordinate is not finite.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::geom::Triangle;
+    ///
+    /// assert_eq!(Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]).normal(), Some(Vec3::Z));
+    /// assert_eq!(Triangle([Vec3::ZERO, Vec3::X, -Vec3::X]).normal(), None);
+    /// ```
+    pub fn normal(&self) -> Option<V> {
+        let by_digits = unit_normal(&self.widen()).map(V::from_components);
+        by_digits.or_else(|| truth::unit_normal(self.0.map(V::components)).map(V::from_components))
     }
 
     /// Whether the corners lie on a line, exactly: then no ray meets the triangle.

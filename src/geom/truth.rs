@@ -13,7 +13,7 @@
 mod nearest;
 
 pub use dashu_ratio::{RBig, Relaxed};
-pub use nearest::{nearest_point, round_root, square_distance};
+pub use nearest::{nearest_point, nearest_weights, round_root, square_distance, unit_normal};
 
 use dashu_int::{IBig, Sign};
 

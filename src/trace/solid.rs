@@ -1,7 +1,7 @@
 //! Inside and outside: which points are in the solid that a closed mesh bounds.
 
 use super::{Boundary, MeshQueries, OpenEdge, RayQueries, Winding};
-use crate::geom::{Mesh, Ray, RayError, Real as _, Vector};
+use crate::geom::{Ball, Mesh, Ray, RayError, Real as _, Vector};
 
 /// How crossings of a closed mesh tell inside from outside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -97,14 +97,50 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
                 return Ok(Location::Surface);
             }
         }
-        let ray = Ray::new(point, axes[0])?;
-        let is_inside = match self.rule {
-            Rule::Parity => self.tracer.crossings(&ray) % 2 == 1,
-            Rule::Nonzero => self.tracer.winding(&ray) != 0,
-            Rule::Winding => self.winding.number(point)? > 0.5,
-        };
-        Ok(if is_inside { Location::Inside } else { Location::Outside })
+        Ok(if self.is_inside(&along_x(point)?)? { Location::Inside } else { Location::Outside })
     }
+
+    /// Measures how far a point is from the mesh: the float nearest to the exact distance, negative inside. It is 0 on
+    /// triangles without area too, and infinite where there are no triangles. `[NEAR-1]` `[CLOSED-2]`
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use stackless_bvh::geom::Mesh;
+    /// use stackless_bvh::trace::{Boundary, Rule, Solid, Tracer};
+    ///
+    /// let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    /// let mesh = Mesh::new(corners, vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
+    /// let (tracer, boundary) = (Tracer::of(&mesh)?, Boundary::of(&mesh));
+    /// let solid = Solid::new(&tracer, &mesh, &boundary, Rule::Parity)?;
+    /// let distance = |x, y, z| solid.signed_distance(DVec3::new(x, y, z));
+    /// assert_eq!([distance(0.125, 0.25, 0.25)?, distance(0.5, 0.0, 0.0)?, distance(0.0, 0.0, -2.0)?], [-0.125, 0.0, 2.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RayError`] for a point that is not finite.
+    pub fn signed_distance(&self, point: V) -> Result<V::Real, RayError> {
+        let ray = along_x(point)?;
+        // A point that may be the origin of a ray may be the middle of a ball.
+        let near = Ball::around(point).ok().and_then(|ball| self.tracer.nearest(&ball));
+        let distance = near.map_or(V::Real::INFINITY, |near| near.distance);
+        // What is not at distance 0 is not on the surface.
+        let is_inside = distance > V::Real::ZERO && self.is_inside(&ray)?;
+        Ok(if is_inside { V::Real::rounded(-distance.into()) } else { distance })
+    }
+
+    /// Whether the origin of a ray, which is not on the surface, is inside.
+    fn is_inside(&self, ray: &Ray<V>) -> Result<bool, RayError> {
+        Ok(match self.rule {
+            Rule::Parity => self.tracer.crossings(ray) % 2 == 1,
+            Rule::Nonzero => self.tracer.winding(ray) != 0,
+            Rule::Winding => self.winding.number(ray.origin())? > 0.5,
+        })
+    }
+}
+
+fn along_x<V: Vector>(point: V) -> Result<Ray<V>, RayError> {
+    Ray::new(point, V::from_components([V::Real::ONE, V::Real::ZERO, V::Real::ZERO]))
 }
 
 fn named(edge: Option<OpenEdge>) -> String {

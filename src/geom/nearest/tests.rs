@@ -16,7 +16,7 @@ pub(super) fn narrow<V: Vector>(v: DVec3) -> V {
 }
 
 /// Any triangle and point of a kind, of ever other sizes, and of double precision also far away.
-fn case<V: Vector>(random: &mut Rng, kind: usize) -> (Triangle<V>, V) {
+pub(super) fn case<V: Vector>(random: &mut Rng, kind: usize) -> (Triangle<V>, V) {
     let is_double = size_of::<V>() == size_of::<DVec3>();
     let powers = if is_double && kind.is_multiple_of(7) { 332 } else { 120 };
     let scale = 2f64.powi((random.bits() % powers) as i32 - powers as i32 / 2);

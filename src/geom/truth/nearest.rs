@@ -4,7 +4,7 @@ use dashu_int::ops::{BitTest, DivRem, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, Sign, UBig};
 use dashu_ratio::Relaxed;
 
-use super::{Number, RBig, Vector, cross, dot, integers, minus, scale};
+use super::{Number, RBig, cross, dot, integers, minus, scale};
 
 /// The square of the distance from a point to a triangle. `None` if a coordinate is not finite.
 ///
@@ -35,9 +35,49 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
 /// assert_eq!(nearest([f32::NAN, 0.0, 0.0]), None);
 /// ```
 pub fn nearest_point<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<[RBig; 3]> {
-    let (Nearest { numerators, denominator, .. }, scale) = nearest(triangle, point)?;
+    let (Nearest { weights, denominator, .. }, scale) = nearest(triangle, point)?;
+    let [corners @ .., _] = integers([triangle[0], triangle[1], triangle[2], point])?;
     let denominator = denominator * scale;
-    Some(numerators.map(|numerator| RBig::from_parts_signed(numerator, denominator.clone())))
+    let numerator = |k: usize| (0..3).map(|i| &weights[i] * &corners[i][k]).sum();
+    Some([0, 1, 2].map(|k| RBig::from_parts_signed(numerator(k), denominator.clone())))
+}
+
+/// The weights of the three corners in [`nearest_point`]: none is negative, and their sum is 1. `None` if a coordinate
+/// is not finite. A triangle without area has several such weights at some points; then one is a zero. `[NEAR-9]`
+///
+/// ```
+/// use stackless_bvh::geom::truth::{RBig, nearest_weights};
+///
+/// let triangle = [[0.0_f32, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
+/// let half = RBig::from_parts(1.into(), 2u8.into());
+/// assert_eq!(nearest_weights(triangle, [2.0, 2.0, 0.5]), Some([RBig::ZERO, half.clone(), half]));
+/// ```
+pub fn nearest_weights<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<[RBig; 3]> {
+    let (Nearest { weights, denominator, .. }, _) = nearest(triangle, point)?;
+    Some(weights.map(|weight| RBig::from_parts_signed(weight, denominator.clone())))
+}
+
+/// The normal of length 1 of a triangle, each component the float nearest to the exact one; a zero is positive. Its
+/// corners run counterclockwise seen from where it points. `None` without an area, or if a coordinate is not finite.
+///
+/// ```
+/// use stackless_bvh::geom::truth::unit_normal;
+///
+/// assert_eq!(unit_normal([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]]), Some([0.0, -0.5f64.sqrt(), 0.5f64.sqrt()]));
+/// assert_eq!(unit_normal([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0f32]]), None);
+/// ```
+pub fn unit_normal<S: Number>(triangle: [[S; 3]; 3]) -> Option<[S; 3]> {
+    let [a, b, c] = integers(triangle)?;
+    let normal = cross(&minus(&b, &a), &minus(&c, &a));
+    let area = dot(&normal, &normal);
+    if area.is_zero() {
+        return None;
+    }
+    Some(normal.map(|x| {
+        let square = RBig::from_parts_signed(&x * &x, area.clone());
+        let signed = if x.sign() == Sign::Negative { -1.0 } else { 1.0 };
+        S::nearest(&RBig::try_from(signed * round_root::<S>(&square).into() + 0.0).unwrap_or_default())
+    }))
 }
 
 /// The float nearest to the square root of `x`, which must not be negative; of two equally near the one whose last bit
@@ -64,9 +104,9 @@ pub fn round_root<S: Number>(x: &RBig) -> S {
 /// Bits of a root before it is rounded, at least.
 const ROOT_BITS: usize = 64;
 
-/// The nearest point, over one denominator, and the square of its distance.
+/// The corners' weights in the nearest point, over one denominator, and the square of its distance.
 struct Nearest {
-    numerators: Vector,
+    weights: [IBig; 3],
     denominator: IBig,
     square: Relaxed,
 }
@@ -79,31 +119,35 @@ fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest,
     let normal = cross(&minus(&b, &a), &minus(&c, &a));
     let area = dot(&normal, &normal);
     let mut of_edges: Option<Nearest> = None;
-    let mut is_above = !area.is_zero();
+    // Weights of the point on the plane, and of those on edges.
+    let mut inside = [IBig::ZERO; 3];
     for i in 0..3 {
         let (edge, to_point) = (minus(corners[(i + 1) % 3], corners[i]), minus(&p, corners[i]));
         let (along, length) = (dot(&edge, &to_point), dot(&edge, &edge));
-        is_above &= dot(&cross(&normal, &edge), &to_point).sign() == Sign::Positive;
+        inside[(i + 2) % 3] = dot(&cross(&normal, &edge), &to_point);
+        let on_edge = |start: IBig, end: IBig| {
+            let mut weights = [IBig::ZERO; 3];
+            (weights[i], weights[(i + 1) % 3]) = (start, end);
+            weights
+        };
         // The nearest point of the edge: the start, or the foot of the perpendicular. At the end the next edge starts.
         let square = dot(&to_point, &to_point);
         let near = if along.sign() == Sign::Negative || along.is_zero() {
-            Nearest { numerators: corners[i].clone(), denominator: IBig::ONE, square: square.into() }
+            Nearest { weights: on_edge(IBig::ONE, IBig::ZERO), denominator: IBig::ONE, square: square.into() }
         } else if along < length {
             let square = Relaxed::from_parts_signed(square * &length - &along * &along, length.clone());
-            let numerators = std::array::from_fn(|k| &corners[i][k] * &length + &edge[k] * &along);
-            Nearest { numerators, denominator: length, square }
+            Nearest { weights: on_edge(&length - &along, along), denominator: length, square }
         } else {
             continue;
         };
         of_edges = of_edges.into_iter().chain([near]).min_by(|a, b| a.square.cmp(&b.square));
     }
-    if !is_above {
+    if inside.iter().any(|weight| weight.sign() == Sign::Negative || weight.is_zero()) {
         return of_edges.map(|near| (near, scale));
     }
     let height = dot(&normal, &minus(&p, &a));
     let square = Relaxed::from_parts_signed(&height * &height, area.clone());
-    let numerators = std::array::from_fn(|k| &p[k] * &area - &normal[k] * &height);
-    Some((Nearest { numerators, denominator: area, square }, scale))
+    Some((Nearest { weights: inside, denominator: area, square }, scale))
 }
 
 #[cfg(test)]

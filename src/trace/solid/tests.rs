@@ -33,7 +33,15 @@ fn mesh<V: Vector>(faces: &[[[i32; 3]; 3]]) -> Mesh<V> {
     Mesh::new(vertices, (0..faces.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
 }
 
-/// Boxes that overlap, touch and repeat, and all points of a grid, many of them on faces, edges and corners: by both
+fn square_to_surface([lo, hi]: &Box3, point: [i32; 3]) -> i32 {
+    let beyond = [0, 1, 2].map(|k| (lo[k] - point[k]).max(point[k] - hi[k]));
+    match beyond.into_iter().max().expect("three") {
+        within @ ..=0 => within * within,
+        _ => beyond.map(|x| x.max(0).pow(2)).iter().sum(),
+    }
+}
+
+/// Boxes that overlap, touch and repeat, and all points of a grid, many of them on faces, edges and corners: by all
 /// rules, both tracers and both precisions, against the boxes themselves. [CLOSED-2]
 fn points_are_where_the_boxes_say<V: Precision>() {
     let (mut random, mut counts) = (Rng::new(5), [0; 4]);
@@ -81,11 +89,16 @@ fn points_are_where_the_boxes_say<V: Precision>() {
                         counts[expected as usize] += 1;
                         counts[3] += usize::from(within > 1);
                         let at = V::from(Vec3::from(point.map(|x| x as f32)));
-                        let located = [
-                            Solid::new(&wide, &mesh, &boundary, rule).expect("closed").locate(at),
-                            Solid::new(&binary, &mesh, &boundary, rule).expect("closed").locate(at),
-                        ];
+                        let by_wide = Solid::new(&wide, &mesh, &boundary, rule).expect("closed");
+                        let by_binary = Solid::new(&binary, &mesh, &boundary, rule).expect("closed");
+                        let located = [by_wide.locate(at), by_binary.locate(at)];
                         assert_eq!(located, [Ok(expected); 2], "{boxes:?} {point:?} {rule:?}");
+                        let distance = boxes.iter().map(|it| square_to_surface(it, point)).min().map(f64::from);
+                        let distance = distance.expect("a box").sqrt() * if is_inside { -1.0 } else { 1.0 };
+                        let measured = [by_wide.signed_distance(at), by_binary.signed_distance(at)];
+                        // Of a zero any sign is right.
+                        let expected = V::Real::rounded(distance + 0.0);
+                        assert_eq!(measured, [Ok(expected); 2], "{boxes:?} {point:?} {rule:?}");
                     }
                 }
             }
@@ -128,5 +141,7 @@ fn points_that_are_no_numbers_are_refused() {
     let mesh: Mesh = mesh(&faces([[0; 3], [2; 3]], 6));
     let (tracer, boundary) = (Tracer::of(&mesh).expect("a tree"), Boundary::of(&mesh));
     let solid = Solid::new(&tracer, &mesh, &boundary, Rule::default()).expect("closed");
-    assert!(matches!(solid.locate(Vec3::new(1.0, f32::NAN, 0.0)), Err(RayError::Origin(_))));
+    let point = Vec3::new(1.0, f32::NAN, 0.0);
+    assert!(matches!(solid.locate(point), Err(RayError::Origin(_))));
+    assert!(matches!(solid.signed_distance(point), Err(RayError::Origin(_))));
 }

@@ -8,7 +8,7 @@ use crate::geom::nearest::{Measure, rounded};
 use crate::geom::{Real, Triangle, Vector as Point, truth};
 
 /// Corners on a line in any order, of which two or all may be equal: of any size, and of double precision far away, too.
-fn flat<V: Point>(random: &mut Rng, round: i32) -> (Triangle<V>, V) {
+pub(in crate::geom::nearest) fn flat<V: Point>(random: &mut Rng, round: i32) -> (Triangle<V>, V) {
     let is_double = size_of::<V>() == size_of::<DVec3>();
     let mut whole = |size: u64| random.below(2 * size + 1) as f64 - size as f64;
     let [a, way, p, off] = [(); 4].map(|()| DVec3::new(whole(999), whole(999), whole(999)));

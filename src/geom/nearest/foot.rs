@@ -1,0 +1,76 @@
+//! Where on a triangle its nearest point is: weights of the corners, and the part of the triangle.
+
+use glam::DVec3;
+
+use super::point;
+use super::{Enclosure, Fine, Interval, RBig, Real, Triangle, Vector, truth};
+use crate::geom::truth::{Number as _, Place};
+
+/// Where on a triangle the point is that is nearest to another point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foot<R = f32> {
+    /// The part of the triangle, exactly, whatever the weights are rounded to.
+    pub place: Place,
+    /// Weights of the second and the third corner, each the float nearest to the exact one.
+    pub weights: [R; 2],
+}
+
+impl<R: Real> Foot<R> {
+    /// Finds the nearest point of a triangle exactly, and rounds its weights once. `None` if a coordinate is not finite.
+    /// `[NEAR-9]`
+    ///
+    /// A triangle without area has several weights at some points. Then it is one of them.
+    ///
+    /// ```
+    /// use glam::Vec3;
+    /// use stackless_bvh::geom::truth::Place;
+    /// use stackless_bvh::geom::{Foot, Triangle};
+    ///
+    /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
+    /// let foot = |x, y| Foot::of(&triangle, Vec3::new(x, y, 3.0));
+    /// assert_eq!(foot(0.25, 0.5), Some(Foot { place: Place::Interior, weights: [0.25, 0.5] }));
+    /// assert_eq!(foot(1.0, 1.0), Some(Foot { place: Place::Edge, weights: [0.5, 0.5] }));
+    /// assert_eq!(foot(2.0, 0.5), Some(Foot { place: Place::Vertex, weights: [1.0, 0.0] }));
+    /// ```
+    pub fn of<V: Vector<Real = R>>(triangle: &Triangle<V>, point: V) -> Option<Self> {
+        let (corners, wide) = (triangle.widen(), point.widen());
+        if corners.iter().chain([&wide]).any(|v| !v.is_finite()) {
+            return None;
+        }
+        let by_intervals = || rounded(point::weigh::<Interval>(&corners, wide)?);
+        let by_more_digits = || rounded(point::weigh::<Fine>(&corners, wide)?);
+        by_intervals().or_else(by_more_digits).or_else(|| exact(triangle, point))
+    }
+}
+
+fn rounded<E: Enclosure, R: Real>(([u, v], place): ([E; 2], Place)) -> Option<Foot<R>> {
+    Some(Foot { place, weights: [R::between(u.bounds())?, R::between(v.bounds())?] })
+}
+
+#[cold]
+#[inline(never)]
+fn exact<V: Vector>(triangle: &Triangle<V>, point: V) -> Option<Foot<V::Real>> {
+    let weights = truth::nearest_weights(triangle.0.map(V::components), point.components())?;
+    let place = match weights.iter().filter(|&weight| *weight == RBig::ZERO).count() {
+        0 => Place::Interior,
+        1 => Place::Edge,
+        _ => Place::Vertex,
+    };
+    let [_, u, v] = weights;
+    Some(Foot { place, weights: [u, v].map(|weight| V::Real::nearest(&weight)) })
+}
+
+/// The normal of length 1 of a triangle, where twice the digits tell it.
+pub(in crate::geom) fn unit_normal<R: Real>(corners: &[DVec3; 3]) -> Option<[R; 3]> {
+    let normal = point::normal::<Fine>(corners)?;
+    let length = Some(point::square_length(normal)).filter(|square| square.is_positive())?.root()?;
+    let component = |x: Fine| match x.sign() {
+        Some(0.0) => Some(R::ZERO),
+        _ => R::between(x.over(length)?.bounds()),
+    };
+    let [x, y, z] = normal.map(component);
+    Some([x?, y?, z?])
+}
+
+#[cfg(test)]
+mod tests;
