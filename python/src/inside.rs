@@ -37,6 +37,19 @@ pub(crate) fn contains<'py, S: Space>(
     of_points::<S, _>(py, mesh, points, outside, answer, progress)
 }
 
+/// How far each point is from a mesh: negative inside.
+pub(crate) fn signed_distances<'py, S: Space>(
+    py: Python<'py>,
+    solid: Solid<'_, S>,
+    points: &Bound<'py, PyAny>,
+    rule: Rule,
+    progress: Progress<'_, 'py>,
+) -> PyResult<Bound<'py, PyArray1<S::Real>>> {
+    let (mesh, bvh, boundary) = solid;
+    let answer = |points: &[_]| bvh.signed_distances(mesh, boundary, rule, points);
+    of_points::<S, _>(py, mesh, points, None, answer, progress)
+}
+
 /// The winding number of each point; of one on a face that of one of its sides.
 pub(crate) fn winding_numbers<'py, S: Space>(
     py: Python<'py>,

@@ -10,6 +10,7 @@ mod file;
 mod inside;
 mod instances;
 mod memory;
+mod near;
 mod queries;
 mod scene;
 mod space;

@@ -1,18 +1,16 @@
 //! Queries of many rays or points over a scene, as arrays.
 
-use std::ops::Range;
-
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
-use stackless_bvh::geom::{Ball, Mesh, Ray, Vector, check_environment};
-use stackless_bvh::trace::{Hit, Near};
+use stackless_bvh::geom::{Mesh, Ray, Vector, check_environment};
+use stackless_bvh::trace::Hit;
 
-use crate::arrays::{Rays, check_places, numbers, places, points, row_of};
+use crate::arrays::Rays;
 use crate::batch::in_pieces;
-use crate::errors::{failed, of_ball, refused};
-use crate::memory::{self, reserve, room};
+use crate::errors::failed;
+use crate::memory::{reserve, room};
 use crate::space::{Coordinate, Space};
 use crate::threads::{FEW, ROWS, Threads, of_chunks};
 
@@ -133,85 +131,19 @@ fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V:
     }
     let corners = mesh.triangle(hit.prim as usize).map(V::components);
     match meet(corners, ray.origin().components(), ray.direction().components()) {
-        Meeting::Hit(Point { place: Place::Edge, .. }) => 1,
-        Meeting::Hit(Point { place: Place::Vertex, .. }) => 2,
+        Meeting::Hit(Point { place, .. }) => number_of(place),
         // Nothing else: it is a hit.
-        Meeting::Hit(_) | Meeting::Miss | Meeting::Coplanar => 0,
+        Meeting::Miss | Meeting::Coplanar => 0,
     }
 }
 
-/// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
-pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
-
-/// Finds the `k` nearest triangles of each point. The mesh has `faces` triangles.
-pub(crate) fn nearest<'py, S: Space>(
-    py: Python<'py>,
-    (bvh, faces): (&S, usize),
-    arrays: [&Bound<'py, PyAny>; 2],
-    k: usize,
-    progress: Progress<'_, 'py>,
-) -> PyResult<NearArrays<'py, S::Real>> {
-    let (array, radius) = (points::<S>(arrays[0], "points")?, numbers::<S>(arrays[1], "radius")?);
-    let (array, radius) = (array.as_array(), radius.as_array());
-    let count = array.nrows();
-    if radius.len() != count {
-        return Err(refused(format!("{count} points, but {} radii", radius.len())));
+/// A part of a triangle in arrays.
+pub(crate) const fn number_of(place: Place) -> u8 {
+    match place {
+        Place::Interior => 0,
+        Place::Edge => 1,
+        Place::Vertex => 2,
     }
-    let places = places(count, arrays, ["points", "radius"])?;
-    let center = |row| S::Vector::from_components(row_of(&array, row));
-    let ball = |row| Ball::new(center(row), radius[row]).map_err(|error| of_ball(error, row));
-    let numbers = count.saturating_mul(k);
-    let (mut distance, mut primitive) = (room(numbers)?, room(numbers)?);
-    let mut point = room(numbers.saturating_mul(3))?;
-    let read = |_: &Threads, rows: Range<usize>| {
-        check_places(&places)?;
-        rows.map(ball).collect::<PyResult<Vec<_>>>()
-    };
-    // No point has more faces near it than there are.
-    let most = k.min(faces);
-    let few = if k == 1 { FEW } else { FEW_BALLS };
-    let answer = |balls: Vec<_>| nearest_of(bvh, &balls, most);
-    let keep = |_: &Threads, all: Vec<Vec<Near<S::Vector>>>| {
-        for nears in all {
-            let missing = k - nears.len();
-            for Near { prim, distance: d, point: p } in nears {
-                distance.push(d);
-                primitive.push(i64::from(prim));
-                point.extend(p.components());
-            }
-            distance.resize(distance.len() + missing, <S::Real as Coordinate>::INFINITY);
-            primitive.resize(primitive.len() + missing, -1);
-            point.resize(point.len() + 3 * missing, S::Real::NAN);
-        }
-        Ok(())
-    };
-    in_pieces(py, (count, few), progress, read, answer, keep)?;
-    let shape = [count, k];
-    let [distance, point] = [distance, point].map(|numbers| numbers.into_pyarray(py));
-    Ok((distance.reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, point.reshape([numbers, 3])?))
-}
-
-/// A search for several triangles takes longer than a ray.
-const FEW_BALLS: usize = 64;
-
-/// More than a triangle takes while it is among the nearest.
-const NEAR_BYTES: usize = 128;
-
-fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResult<Vec<Vec<Near<S::Vector>>>> {
-    if k == 1 {
-        let nears = bvh.nearest(balls).map_err(failed)?;
-        return Ok(nears.into_iter().map(|near| near.into_iter().collect()).collect());
-    }
-    let chunks = of_chunks(balls, FEW_BALLS, |balls| {
-        check_environment().map_err(failed)?;
-        let mut all = room(balls.len())?;
-        for ball in balls {
-            memory::check(k.saturating_mul(NEAR_BYTES))?;
-            all.push(bvh.nearest_k(ball, k));
-        }
-        Ok(all)
-    });
-    Ok(chunks?.into_iter().flatten().collect())
 }
 
 /// Arrays of hits that grow.

@@ -16,7 +16,7 @@ use crate::errors::refused;
 use crate::memory::{self, room};
 use crate::space::{Double, Single, Space};
 use crate::threads::Threads;
-use crate::{file, inside, queries};
+use crate::{file, inside, near, queries};
 
 /// A mesh with its hierarchy.
 #[pyclass(module = "stackless_bvh._native")]
@@ -218,12 +218,7 @@ impl Scene {
         surface: bool,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rule = match rule {
-            "parity" => Rule::Parity,
-            "nonzero" => Rule::Nonzero,
-            "winding" => Rule::Winding,
-            _ => return Err(refused(format!("rule: '{rule}', expected 'parity', 'nonzero' or 'winding'"))),
-        };
+        let rule = rule_of(rule)?;
         either!(self, held, S => {
             let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
             object(py, inside::contains::<S>(py, solid, points, (rule, surface), progress.as_ref())?)
@@ -242,18 +237,42 @@ impl Scene {
         })
     }
 
-    fn nearest<'py>(
+    fn signed_distances<'py>(
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
-        radius: &Bound<'py, PyAny>,
+        rule: &str,
+        progress: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let rule = rule_of(rule)?;
+        either!(self, held, S => {
+            let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
+            object(py, inside::signed_distances::<S>(py, solid, points, rule, progress.as_ref())?)
+        })
+    }
+
+    fn nearest<'py>(
+        &self,
+        py: Python<'py>,
+        points_and_radius: [Bound<'py, PyAny>; 2],
         k: usize,
+        details: bool,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            object(py, queries::nearest::<S>(py, (&held.bvh, held.mesh.triangles().len()), [points, radius], k, progress.as_ref())?)
+            let of = (&*held.mesh, &*held.bvh);
+            object(py, near::nearest::<S>(py, of, points_and_radius.each_ref(), (k, details), progress.as_ref())?)
         })
     }
+}
+
+fn rule_of(name: &str) -> PyResult<Rule> {
+    Ok(match name {
+        "parity" => Rule::Parity,
+        "nonzero" => Rule::Nonzero,
+        "winding" => Rule::Winding,
+        _ => return Err(refused(format!("rule: '{name}', expected 'parity', 'nonzero' or 'winding'"))),
+    })
 }
 
 impl Scene {

@@ -68,6 +68,14 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
         rule: Rule,
         points: &[(usize, Self::Vector)],
     ) -> PyResult<Vec<Location>>;
+    /// How far they are, negative inside.
+    fn signed_distances(
+        &self,
+        mesh: &Mesh<Self::Vector>,
+        boundary: &Boundary,
+        rule: Rule,
+        points: &[(usize, Self::Vector)],
+    ) -> PyResult<Vec<Self::Real>>;
     /// Their winding numbers.
     fn windings(
         &self,
@@ -150,6 +158,18 @@ where
         let tracer = Tracer::new(self);
         let solid = Solid::new(&tracer, mesh, boundary, rule).map_err(refused)?;
         points.iter().map(|&(row, point)| solid.locate(point).map_err(|error| of_ray(error, row))).collect()
+    }
+
+    fn signed_distances(
+        &self,
+        mesh: &Mesh<V>,
+        boundary: &Boundary,
+        rule: Rule,
+        points: &[(usize, V)],
+    ) -> PyResult<Vec<V::Real>> {
+        let tracer = Tracer::new(self);
+        let solid = Solid::new(&tracer, mesh, boundary, rule).map_err(refused)?;
+        points.iter().map(|&(row, point)| solid.signed_distance(point).map_err(|error| of_ray(error, row))).collect()
     }
 
     fn windings(&self, mesh: &Mesh<V>, boundary: &Boundary, points: &[(usize, V)]) -> PyResult<Vec<f64>> {

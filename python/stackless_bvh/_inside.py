@@ -82,6 +82,49 @@ class Inside:
         array([ True, False,  True])
         """
         points = rows(points, "points", self._native.dtype)
+        self._check_rule(rule)
+        return self._native.contains(points, rule, bool(boundary), progress)
+
+    def signed_distance(
+        self,
+        points: ArrayLike,
+        rule: Literal["parity", "nonzero", "winding"] = "parity",
+        progress: Progress | None = None,
+    ) -> NDArray[np.floating]:
+        """How far each point is from the mesh, negative inside: shape (n,), of the scene's dtype.
+
+        Each is the float nearest to the exact distance, with the exact sign of the rule, and 0 on the mesh.
+
+        Parameters
+        ----------
+        points
+            Shape (n, 3).
+        rule
+            What is inside, as in `contains`.
+
+        Warns
+        -----
+        UserWarning
+            As `contains`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            As `contains`.
+
+        Examples
+        --------
+        >>> vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        >>> scene = Scene(vertices, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        >>> scene.signed_distance([[0.25, 0.25, 0.125], [0, 0, -2], [0.5, 0, 0]])
+        array([-0.125,  2.   ,  0.   ])
+        """
+        points = rows(points, "points", self._native.dtype)
+        self._check_rule(rule)
+        return self._native.signed_distances(points, rule, progress)
+
+    def _check_rule(self, rule: str) -> None:
+        """Raises where a rule does not fit the mesh, and warns where its answer may not be what is expected."""
         count, unpaired, repeated, wrong = self._native.boundary()
         if rule in ("parity", "nonzero") and wrong is not None:
             more = "" if count == 1 else f" ({count} such edges)"
@@ -94,9 +137,8 @@ class Inside:
         if rule == "parity" and repeated > 0:
             warnings.warn(
                 f"{repeated} of the faces repeat earlier ones, and cancel them out by parity: rule='nonzero' does not",
-                stacklevel=2,
+                stacklevel=3,
             )
-        return self._native.contains(points, rule, bool(boundary), progress)
 
     def winding_number(self, points: ArrayLike, progress: Progress | None = None) -> NDArray[np.float64]:
         """How often the mesh winds around each point: shape (n,), float64.

@@ -63,6 +63,14 @@ class Near:
     """Shape (n,) or (n, k): rows of `faces`; -1 where nothing is within the radius."""
     point: NDArray[np.floating]
     """Shape (n, 3) or (n, k, 3): the nearest points, each coordinate rounded once; NaN where there is none."""
+    uv: NDArray[np.floating] | None = None
+    """With ``details``. Shape (n, 2) or (n, k, 2): weights of the face's second and third vertex, each rounded once."""
+    place: NDArray[np.uint8] | None = None
+    """With ``details``. Shape (n,) or (n, k): on which part of the face the nearest point is, exactly: 0 in its
+    interior, 1 on an edge, 2 at a vertex, 255 where there is none."""
+    normal: NDArray[np.floating] | None = None
+    """With ``details``. Shape (n, 3) or (n, k, 3): normals of the faces, of length 1, each component rounded once; they
+    point to where vertices run counterclockwise. NaN for a face without area."""
 
     def __len__(self) -> int:
         return len(self.distance)

@@ -215,7 +215,12 @@ class Scene(Inside):
         return self._native.crossings(self._rays(origins, directions, tmin, tmax), progress)
 
     def nearest(
-        self, points: ArrayLike, radius: ArrayLike = np.inf, k: int = 1, progress: Progress | None = None
+        self,
+        points: ArrayLike,
+        radius: ArrayLike = np.inf,
+        k: int = 1,
+        progress: Progress | None = None,
+        details: bool = False,
     ) -> Near:
         """The `k` faces that are nearest to each point, within a radius, in order of distance and then of face.
 
@@ -229,6 +234,8 @@ class Scene(Inside):
             A number or shape (n,), included.
         k
             How many, at least 1. Where there are fewer faces, their rows are filled as those beyond the radius.
+        details
+            Also say where on the face each point is (``uv``, ``place``), and which way the face looks (``normal``).
 
         Raises
         ------
@@ -245,6 +252,9 @@ class Scene(Inside):
         >>> near = scene.nearest([[0.25, 0.5, 3], [0, -2, 0]])
         >>> near.distance, near.point[0]
         (array([3., 2.]), array([0.25, 0.5 , 0.  ]))
+        >>> near = scene.nearest([[0.25, 0.5, 3], [0, -2, 0]], details=True)
+        >>> near.uv[0], near.place, near.normal[0]
+        (array([0.25, 0.5 ]), array([0, 2], dtype=uint8), array([0., 0., 1.]))
         """
         try:
             k = operator.index(k)
@@ -254,10 +264,11 @@ class Scene(Inside):
             raise ValueError(f"k: {k}, expected at least 1")
         points = rows(points, "points", self._native.dtype)
         radii = per_row(radius, "radius", self._native.dtype, len(points))
-        distance, primitive, point = self._native.nearest(points, radii, min(k, sys.maxsize), progress)
-        if k == 1:
-            return Near(distance[:, 0], primitive[:, 0], point)
-        return Near(distance, primitive, point.reshape(-1, k, 3))
+        near, more = self._native.nearest((points, radii), min(k, sys.maxsize), bool(details), progress)
+        distance, primitive, point = near
+        shape = distance.shape if k > 1 else distance.shape[:1]
+        details_of = (None,) * 3 if more is None else tuple(array.reshape(*shape, *array.shape[1:]) for array in more)
+        return Near(distance.reshape(shape), primitive.reshape(shape), point.reshape(*shape, 3), *details_of)
 
     def refit(self, vertices: ArrayLike, optimize: bool = False, progress: Progress | None = None) -> None:
         """Moves the vertices, of which there must be as many as before. It takes a twentieth of the time of a build.

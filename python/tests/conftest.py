@@ -58,4 +58,7 @@ def some_rays(dtype, count=200, seed=1):
 
 
 def same(a, b):
-    return all(np.array_equal(x, y, equal_nan=x.dtype.kind == "f") for x, y in zip(vars(a).values(), vars(b).values()))
+    def equal(x, y):
+        return x is y is None or np.array_equal(x, y, equal_nan=x.dtype.kind == "f")
+
+    return vars(a).keys() == vars(b).keys() and all(equal(x, vars(b)[name]) for name, x in vars(a).items())

@@ -1,0 +1,151 @@
+//! The nearest faces of points.
+
+use std::ops::Range;
+
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use stackless_bvh::geom::{Ball, Foot, Mesh, Triangle, Vector, check_environment};
+use stackless_bvh::trace::Near;
+
+use crate::arrays::{check_places, numbers, places, points, row_of};
+use crate::batch::in_pieces;
+use crate::errors::{failed, of_ball, refused};
+use crate::memory::{self, room};
+use crate::queries::{Progress, number_of};
+use crate::space::{Coordinate, Space};
+use crate::threads::{FEW, Threads, of_chunks};
+
+/// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
+pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
+
+/// Weights, parts of the triangles, and normals, one of each for each triangle that is found; NaN, 255 and NaN where
+/// there is none, and a NaN for the normal of a triangle without area.
+pub(crate) type Details<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray2<R>>);
+
+/// Details are there where they are asked for.
+pub(crate) type Answer<'py, R> = (NearArrays<'py, R>, Option<Details<'py, R>>);
+
+/// Finds the `k` nearest triangles of each point, and says more about each if it is to.
+pub(crate) fn nearest<'py, S: Space>(
+    py: Python<'py>,
+    (mesh, bvh): (&Mesh<S::Vector>, &S),
+    arrays: [&Bound<'py, PyAny>; 2],
+    (k, with_details): (usize, bool),
+    progress: Progress<'_, 'py>,
+) -> PyResult<Answer<'py, S::Real>> {
+    let (array, radius) = (points::<S>(arrays[0], "points")?, numbers::<S>(arrays[1], "radius")?);
+    let (array, radius) = (array.as_array(), radius.as_array());
+    let count = array.nrows();
+    if radius.len() != count {
+        return Err(refused(format!("{count} points, but {} radii", radius.len())));
+    }
+    let places = places(count, arrays, ["points", "radius"])?;
+    let center = |row| S::Vector::from_components(row_of(&array, row));
+    let ball = |row| Ball::new(center(row), radius[row]).map_err(|error| of_ball(error, row));
+    let numbers = count.saturating_mul(k);
+    let (mut distance, mut primitive) = (room(numbers)?, room(numbers)?);
+    let mut point = room(numbers.saturating_mul(3))?;
+    let detailed = if with_details { numbers } else { 0 };
+    let (mut uv, mut place) = (room(detailed.saturating_mul(2))?, room(detailed)?);
+    let mut normal = room(detailed.saturating_mul(3))?;
+    let read = |_: &Threads, rows: Range<usize>| {
+        check_places(&places)?;
+        rows.map(ball).collect::<PyResult<Vec<_>>>()
+    };
+    // No point has more faces near it than there are.
+    let most = k.min(mesh.triangles().len());
+    let few = if k == 1 { FEW } else { FEW_BALLS };
+    let answer = |balls: Vec<_>| {
+        let nears = nearest_of(bvh, &balls, most)?;
+        let details = if with_details { details_of::<S>(mesh, &balls, &nears)? } else { Vec::new() };
+        Ok((nears, details))
+    };
+    let keep = |_: &Threads, (all, details): (Nears<S>, Vec<Detail<S::Real>>)| {
+        let mut details = details.into_iter();
+        for nears in all {
+            let missing = k - nears.len();
+            for Near { prim, distance: d, point: p } in nears {
+                distance.push(d);
+                primitive.push(i64::from(prim));
+                point.extend(p.components());
+                if let Some(Detail { foot, normal: n }) = details.next() {
+                    uv.extend(foot.weights);
+                    place.push(number_of(foot.place));
+                    normal.extend(n);
+                }
+            }
+            distance.resize(distance.len() + missing, <S::Real as Coordinate>::INFINITY);
+            primitive.resize(primitive.len() + missing, -1);
+            point.resize(point.len() + 3 * missing, S::Real::NAN);
+            if with_details {
+                uv.resize(uv.len() + 2 * missing, S::Real::NAN);
+                place.resize(place.len() + missing, NO_PLACE);
+                normal.resize(normal.len() + 3 * missing, S::Real::NAN);
+            }
+        }
+        Ok(())
+    };
+    in_pieces(py, (count, few), progress, read, answer, keep)?;
+    let shape = [count, k];
+    let rows = |numbers: Vec<S::Real>, columns| {
+        let shape = [numbers.len() / columns, columns];
+        numbers.into_pyarray(py).reshape(shape)
+    };
+    let near = (distance.into_pyarray(py).reshape(shape)?, primitive.into_pyarray(py).reshape(shape)?, rows(point, 3)?);
+    let details = if with_details { Some((rows(uv, 2)?, place.into_pyarray(py), rows(normal, 3)?)) } else { None };
+    Ok((near, details))
+}
+
+/// What is said of a point that is not there.
+const NO_PLACE: u8 = 255;
+
+/// A search for several triangles takes longer than a ray.
+const FEW_BALLS: usize = 64;
+
+/// More than a triangle takes while it is among the nearest.
+const NEAR_BYTES: usize = 128;
+
+fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResult<Nears<S>> {
+    if k == 1 {
+        let nears = bvh.nearest(balls).map_err(failed)?;
+        return Ok(nears.into_iter().map(|near| near.into_iter().collect()).collect());
+    }
+    let chunks = of_chunks(balls, FEW_BALLS, |balls| {
+        check_environment().map_err(failed)?;
+        let mut all = room(balls.len())?;
+        for ball in balls {
+            memory::check(k.saturating_mul(NEAR_BYTES))?;
+            all.push(bvh.nearest_k(ball, k));
+        }
+        Ok(all)
+    });
+    Ok(chunks?.into_iter().flatten().collect())
+}
+
+/// Those of each point.
+type Nears<S> = Vec<Vec<Near<<S as Space>::Vector>>>;
+
+/// What more is said of a triangle that is found.
+struct Detail<R> {
+    foot: Foot<R>,
+    normal: [R; 3],
+}
+
+/// Of each triangle that is found, in order.
+fn details_of<S: Space>(
+    mesh: &Mesh<S::Vector>,
+    balls: &[Ball<S::Vector>],
+    nears: &[Vec<Near<S::Vector>>],
+) -> PyResult<Vec<Detail<S::Real>>> {
+    let pairs: Vec<_> = balls.iter().zip(nears).collect();
+    let detail = |ball: &Ball<S::Vector>, near: &Near<_>| {
+        let triangle = Triangle(mesh.triangle(near.prim as usize));
+        let foot = Foot::of(&triangle, ball.center()).ok_or_else(|| failed("a vertex is not finite"))?;
+        let normal = triangle.normal().map_or([S::Real::NAN; 3], Vector::components);
+        Ok(Detail { foot, normal })
+    };
+    let chunks = of_chunks(&pairs, FEW_BALLS, |pairs| {
+        pairs.iter().flat_map(|(ball, nears)| nears.iter().map(|near| detail(ball, near))).collect::<PyResult<Vec<_>>>()
+    });
+    Ok(chunks?.into_iter().flatten().collect())
+}
