@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::HashSet;
 
-use super::leaf_primitives::LeafPrimitives;
+use super::leaf_primitives::{LeafFilter, LeafPrimitives};
 use super::prepared_ray::PreparedRay;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
@@ -85,9 +85,12 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> AllHitsQuery<'a, K, B, H> {
     }
 
     #[inline]
-    pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: PreparedRay { bvh, kernel, .. }, repeats, distances, found } = self;
-        bvh.for_each(leaf, |place, shape, prim| {
+    pub(super) fn meet(&mut self, leaf: Node)
+    where
+        B: LeafFilter<H, K::Shape, Real<K>>,
+    {
+        let Self { cast: PreparedRay { bvh, kernel, slabs, end }, repeats, distances, found } = self;
+        slabs.for_each_left(bvh, leaf, *end, |place, shape, prim| {
             if let Some(t) = distances.answer(shape, |shape| kernel.distance(shape, Real::<K>::INFINITY))
                 && repeats.is_new(prim)
             {
@@ -188,10 +191,14 @@ impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
         self.count() % 2 == 1
     }
 
+    /// What is crossed is met. `[PARITY-1]`
     #[inline]
-    pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { cast: PreparedRay { bvh, kernel, .. }, repeats, count, winding } = self;
-        bvh.for_each(leaf, |_, shape, prim| {
+    pub(super) fn meet(&mut self, leaf: Node)
+    where
+        B: LeafFilter<H, K::Shape, Real<K>>,
+    {
+        let Self { cast: PreparedRay { bvh, kernel, slabs, end }, repeats, count, winding } = self;
+        slabs.for_each_left(bvh, leaf, *end, |_, shape, prim| {
             if kernel.is_crossing(shape) && repeats.is_new(prim) {
                 *count += 1;
                 if let Some(sum) = winding {

@@ -3,7 +3,7 @@
 use crate::bvh::wide::leaf_places;
 use crate::bvh::{Bvh, WideBvh};
 use crate::geom::lanes::Precision;
-use crate::geom::{Region, Triangle};
+use crate::geom::{Region, Slabs, Triangle};
 use crate::tree::Node;
 
 /// The shapes in the leaves of a hierarchy: all that rare queries need of it, but for boxes.
@@ -22,6 +22,20 @@ pub trait LeafPrimitives<S> {
 
     /// The shape at a place.
     fn shape(&self, place: usize) -> S;
+}
+
+/// A ray's tests of a hierarchy `H`, which may also tell that it misses triangles.
+pub(super) trait LeafFilter<H, S, R> {
+    /// Shows the shapes of a leaf, as [`for_each`](LeafPrimitives::for_each), but for some that the ray does not meet up to
+    /// `end`.
+    fn for_each_left(&self, bvh: &H, leaf: Node, end: R, show: impl FnMut(usize, &S, u32));
+}
+
+impl<B: Slabs, S: Copy, R> LeafFilter<Bvh<S>, S, R> for B {
+    #[inline]
+    fn for_each_left(&self, bvh: &Bvh<S>, leaf: Node, _: R, show: impl FnMut(usize, &S, u32)) {
+        bvh.for_each(leaf, show);
+    }
 }
 
 impl<S: Copy> LeafPrimitives<S> for Bvh<S> {

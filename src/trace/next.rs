@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::Hit;
-use super::leaf_primitives::LeafPrimitives;
+use super::leaf_primitives::{LeafFilter, LeafPrimitives};
 use super::prepared_ray::PreparedRay;
 use super::query::BoxQuery;
 use crate::bvh::Bvh;
@@ -86,9 +86,13 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> NextHitQuery<'a, K, B, H> {
     }
 
     #[inline]
-    pub(super) fn meet(&mut self, leaf: Node) {
-        let bvh = self.cast.bvh;
-        bvh.for_each(leaf, |place, shape, prim| {
+    pub(super) fn meet(&mut self, leaf: Node)
+    where
+        B: Clone + LeafFilter<H, K::Shape, Real<K>>,
+    {
+        let PreparedRay { bvh, slabs, end, .. } = &self.cast;
+        let (bvh, slabs, end) = (*bvh, slabs.clone(), *end);
+        slabs.for_each_left(bvh, leaf, end, |place, shape, prim| {
             let PreparedRay { kernel, end, .. } = &self.cast;
             let Some(t) = kernel.distance(shape, *end) else { return };
             let (met, (given, given_prim)) = (Met { prim, place }, self.after);

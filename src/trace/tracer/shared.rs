@@ -8,10 +8,11 @@ use super::interleaved::{HitQuery, Job, with_memory};
 use super::search::{HitOf, WideSearch};
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
-use crate::geom::Ray;
-use crate::geom::lanes::{BoxPoint, Hits as _, NodeBoxes as _, Precision, with_baseline};
+use crate::geom::lanes::{BoxPoint, Hits as _, LaneSet, NodeBoxes as _, Precision, TriangleRay, filled, with_baseline};
+use crate::geom::{Ray, Triangle};
 use crate::order::Flow;
 use crate::trace::counters::WideCounters;
+use crate::trace::leaf_primitives::LeafFilter;
 use crate::trace::nearest::Around;
 use crate::trace::prepared_ray::PreparedRay;
 use crate::trace::{AllHitsQuery, Crossings, NearestPoint, NearestPoints, NextHitQuery};
@@ -142,10 +143,12 @@ impl Search<8> for Shared<'_> {
     }
 }
 
-/// A ray that is prepared for the boxes of a node.
+/// A ray that is prepared for the boxes of a node, and for the filter of a block.
 #[derive(Clone, Debug)]
 pub(super) struct LaneRay<S: Simd, V: Precision> {
+    simd: S,
     boxes: V::Boxes<S>,
+    filter: TriangleRay<S, V>,
 }
 
 /// A ray among the boxes and triangles of a wide hierarchy.
@@ -153,7 +156,27 @@ type WidePreparedRay<'a, S, V> = PreparedRay<'a, <V as Precision>::Exact, LaneRa
 
 impl<S: Simd, V: Precision> LaneRay<S, V> {
     pub(super) fn new(simd: S, ray: &Ray<V>, bvh: &WideBvh<8, V>) -> Self {
-        Self { boxes: V::Boxes::new(simd, ray, bvh.region()) }
+        let region = bvh.region();
+        Self { simd, boxes: V::Boxes::new(simd, ray, region), filter: V::Hits::new(ray, region).filter(simd) }
+    }
+}
+
+/// `[LANES-3]` `[LANES-4]`
+impl<S: Simd, V: Precision> LeafFilter<WideBvh<8, V>, Triangle<V>, V::Real> for LaneRay<S, V> {
+    fn for_each_left(
+        &self,
+        bvh: &WideBvh<8, V>,
+        leaf: Node,
+        end: V::Real,
+        mut show: impl FnMut(usize, &Triangle<V>, u32),
+    ) {
+        let (blocks, count) = bvh.leaf(leaf);
+        let first = leaf_places(leaf).start;
+        for (i, (block, filled)) in filled(blocks, count).enumerate() {
+            for lane in LaneSet(self.filter.survivors(self.simd, block, end) & filled) {
+                show(first + 4 * i + lane, &block.triangle(lane), block.prims[lane]);
+            }
+        }
     }
 }
 
