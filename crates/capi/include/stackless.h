@@ -1,18 +1,21 @@
 /* libstackless: exact ray tracing on triangle meshes.
  *
- * Every answer is that of exact arithmetic for the numbers as they are, rounded once. Names that end with _d are of double
- * precision, those with _f of single precision. A scene of one precision takes rays, points and vertices of that precision.
+ * Every answer is that of exact arithmetic for the numbers as they are, rounded once. Names that end with _d are of
+ * double precision, those with _f of single precision. A scene of one precision takes rays, points and vertices of
+ * that precision.
  *
- * Pointers. Each is null, or points to as many values as the call says, which no other thread changes during the call.
- * Results need not be initialised, and may stand in one structure with the arguments, but must not overlap them. A scene is
- * one that this library made and that was not freed. This is all that the library cannot check. It refuses null pointers
- * (unless it says that they may be null, and but for arrays of 0 elements), misaligned pointers, strides that are less than
- * an element or would misalign one, sizes beyond the address space, numbers that are not finite, indices without a vertex.
+ * Pointers. Each is null, or points to as many values as the call says, which no other thread changes during the
+ * call. Results need not be initialised, and may stand in one structure with the arguments, but must not overlap
+ * them. A scene is one that this library made and that was not freed. This is all that the library cannot check. It
+ * refuses null pointers (unless it says that they may be null, and but for arrays of 0 elements), misaligned
+ * pointers, strides that are less than an element or would misalign one, sizes beyond the address space, numbers that
+ * are not finite, indices without a vertex.
  *
- * Arrays. The stride is the distance in bytes from one element to the next: sizeof(stackless_ray_d) for an array of rays.
+ * Arrays. The stride is the distance in bytes from one element to the next: sizeof(stackless_ray_d) for an array of
+ * rays.
  *
- * Threads. Any number of threads may query a scene at the same time, also while others build scenes. A scene must not be in
- * use while it is refitted or freed.
+ * Threads. Any number of threads may query a scene at the same time, also while others build scenes. A scene must not
+ * be in use while it is refitted or freed.
  *
  * Floats. Each thread that calls must round to nearest and keep subnormal numbers, as it does unless told otherwise
  * (_MM_SET_FLUSH_ZERO_MODE, -ffast-math); if not, calls fail with STACKLESS_ERROR_FLOAT_ENVIRONMENT.
@@ -172,12 +175,13 @@ typedef struct {
 extern "C" {
 #endif // __cplusplus
 
-// What the last failed call of this thread was refused for: one line that names the element, what was found and what was
-// expected. Empty if no call has failed. Valid until the next failure of this thread.
+// What the last failed call of this thread was refused for: one line that names the element, what was found and what
+// was expected. Empty if no call has failed. Valid until the next failure of this thread.
 const char *stackless_error_message(void);
 
-// Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of both
-// arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after an error.
+// Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
+// both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
+// an error.
 stackless_error stackless_scene_new_d(const double *vertices,
                                       size_t vertex_stride,
                                       size_t vertex_count,
@@ -190,8 +194,8 @@ stackless_error stackless_scene_new_d(const double *vertices,
 // Destroys a scene, which no thread may use any more. Null is ignored.
 stackless_error stackless_scene_free_d(stackless_scene_d *scene);
 
-// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower the
-// more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
+// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower
+// the more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
 stackless_error stackless_scene_refit_d(stackless_scene_d *scene,
                                         const double *vertices,
                                         size_t vertex_stride,
@@ -203,19 +207,16 @@ stackless_error stackless_scene_counts_d(const stackless_scene_d *scene, size_t 
 // Writes the least and the greatest coordinates of the corners of faces, three numbers each.
 stackless_error stackless_scene_bounds_d(const stackless_scene_d *scene, double *lower, double *upper);
 
-// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of the
-// Python package.
-stackless_error stackless_scene_save_d(const stackless_scene_d *scene,
-                                       const char *file);
+// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of
+// the Python package.
+stackless_error stackless_scene_save_d(const stackless_scene_d *scene, const char *file);
 
-// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null after
-// an error.
-stackless_error stackless_scene_load_d(const char *file,
-                                       uint32_t threads,
-                                       stackless_scene_d **scene);
+// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null
+// after an error.
+stackless_error stackless_scene_load_d(const char *file, uint32_t threads, stackless_scene_d **scene);
 
-// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it with a
-// capacity of 0; `bytes` may then be null.
+// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it
+// with a capacity of 0; `bytes` may then be null.
 stackless_error stackless_scene_to_bytes_d(const stackless_scene_d *scene,
                                            uint8_t *bytes,
                                            size_t capacity,
@@ -233,8 +234,8 @@ stackless_error stackless_closest1_d(const stackless_scene_d *scene, const stack
 // Finds out whether a ray hits anything.
 stackless_error stackless_any1_d(const stackless_scene_d *scene, const stackless_ray_d *ray, bool *is_hit);
 
-// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones, as
-// many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
+// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones,
+// as many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
 stackless_error stackless_all1_d(const stackless_scene_d *scene,
                                  const stackless_ray_d *ray,
                                  stackless_hit_d *hits,
@@ -242,8 +243,8 @@ stackless_error stackless_all1_d(const stackless_scene_d *scene,
                                  size_t capacity,
                                  size_t *count);
 
-// Finds the first hit after another one of the same ray, in the order of `stackless_all1_d`. So a program can walk from
-// hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
+// Finds the first hit after another one of the same ray, in the order of `stackless_all1_d`. So a program can walk
+// from hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
 stackless_error stackless_next1_d(const stackless_scene_d *scene,
                                   const stackless_ray_d *ray,
                                   const stackless_hit_d *after,
@@ -276,8 +277,9 @@ stackless_error stackless_crossings_n_d(const stackless_scene_d *scene,
                                         size_t crossing_stride,
                                         uint32_t flags);
 
-// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`, `STACKLESS_OUTSIDE`
-// or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit looks at all edges.
+// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`,
+// `STACKLESS_OUTSIDE` or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit
+// looks at all edges.
 stackless_error stackless_locate_n_d(const stackless_scene_d *scene,
                                      const double *points,
                                      size_t point_stride,
@@ -287,8 +289,8 @@ stackless_error stackless_locate_n_d(const stackless_scene_d *scene,
                                      size_t location_stride,
                                      uint32_t flags);
 
-// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may be
-// infinite. Of equally near faces it is the one of the least index.
+// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
+// be infinite. Of equally near faces it is the one of the least index.
 stackless_error stackless_nearest_n_d(const stackless_scene_d *scene,
                                       const double *points,
                                       size_t point_stride,
@@ -298,8 +300,9 @@ stackless_error stackless_nearest_n_d(const stackless_scene_d *scene,
                                       size_t near_stride,
                                       uint32_t flags);
 
-// Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of both
-// arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after an error.
+// Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
+// both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
+// an error.
 stackless_error stackless_scene_new_f(const float *vertices,
                                       size_t vertex_stride,
                                       size_t vertex_count,
@@ -312,8 +315,8 @@ stackless_error stackless_scene_new_f(const float *vertices,
 // Destroys a scene, which no thread may use any more. Null is ignored.
 stackless_error stackless_scene_free_f(stackless_scene_f *scene);
 
-// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower the
-// more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
+// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower
+// the more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
 stackless_error stackless_scene_refit_f(stackless_scene_f *scene,
                                         const float *vertices,
                                         size_t vertex_stride,
@@ -325,19 +328,16 @@ stackless_error stackless_scene_counts_f(const stackless_scene_f *scene, size_t 
 // Writes the least and the greatest coordinates of the corners of faces, three numbers each.
 stackless_error stackless_scene_bounds_f(const stackless_scene_f *scene, float *lower, float *upper);
 
-// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of the
-// Python package.
-stackless_error stackless_scene_save_f(const stackless_scene_f *scene,
-                                       const char *file);
+// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of
+// the Python package.
+stackless_error stackless_scene_save_f(const stackless_scene_f *scene, const char *file);
 
-// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null after
-// an error.
-stackless_error stackless_scene_load_f(const char *file,
-                                       uint32_t threads,
-                                       stackless_scene_f **scene);
+// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null
+// after an error.
+stackless_error stackless_scene_load_f(const char *file, uint32_t threads, stackless_scene_f **scene);
 
-// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it with a
-// capacity of 0; `bytes` may then be null.
+// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it
+// with a capacity of 0; `bytes` may then be null.
 stackless_error stackless_scene_to_bytes_f(const stackless_scene_f *scene,
                                            uint8_t *bytes,
                                            size_t capacity,
@@ -355,8 +355,8 @@ stackless_error stackless_closest1_f(const stackless_scene_f *scene, const stack
 // Finds out whether a ray hits anything.
 stackless_error stackless_any1_f(const stackless_scene_f *scene, const stackless_ray_f *ray, bool *is_hit);
 
-// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones, as
-// many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
+// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones,
+// as many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
 stackless_error stackless_all1_f(const stackless_scene_f *scene,
                                  const stackless_ray_f *ray,
                                  stackless_hit_f *hits,
@@ -364,8 +364,8 @@ stackless_error stackless_all1_f(const stackless_scene_f *scene,
                                  size_t capacity,
                                  size_t *count);
 
-// Finds the first hit after another one of the same ray, in the order of `stackless_all1_f`. So a program can walk from
-// hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
+// Finds the first hit after another one of the same ray, in the order of `stackless_all1_f`. So a program can walk
+// from hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
 stackless_error stackless_next1_f(const stackless_scene_f *scene,
                                   const stackless_ray_f *ray,
                                   const stackless_hit_f *after,
@@ -398,8 +398,9 @@ stackless_error stackless_crossings_n_f(const stackless_scene_f *scene,
                                         size_t crossing_stride,
                                         uint32_t flags);
 
-// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`, `STACKLESS_OUTSIDE`
-// or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit looks at all edges.
+// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`,
+// `STACKLESS_OUTSIDE` or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit
+// looks at all edges.
 stackless_error stackless_locate_n_f(const stackless_scene_f *scene,
                                      const float *points,
                                      size_t point_stride,
@@ -409,8 +410,8 @@ stackless_error stackless_locate_n_f(const stackless_scene_f *scene,
                                      size_t location_stride,
                                      uint32_t flags);
 
-// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may be
-// infinite. Of equally near faces it is the one of the least index.
+// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
+// be infinite. Of equally near faces it is the one of the least index.
 stackless_error stackless_nearest_n_f(const stackless_scene_f *scene,
                                       const float *points,
                                       size_t point_stride,

@@ -12,8 +12,8 @@ thread_local! {
     static MESSAGE: RefCell<CString> = RefCell::default();
 }
 
-/// What the last failed call of this thread was refused for: one line that names the element, what was found and what was
-/// expected. Empty if no call has failed. Valid until the next failure of this thread.
+/// What the last failed call of this thread was refused for: one line that names the element, what was found and what
+/// was expected. Empty if no call has failed. Valid until the next failure of this thread.
 #[allow(unsafe_code, reason = "its name is exported")]
 #[unsafe(no_mangle)]
 pub extern "C" fn stackless_error_message() -> *const c_char {

@@ -1,4 +1,4 @@
-//! What C calls for scenes in double precision. `single.rs` is this file with other names: `test.sh` writes it.
+//! What C calls for scenes in double precision.
 
 use std::ffi::c_char;
 use std::ptr;
@@ -11,8 +11,9 @@ use crate::memory::{In, Out, exclusive, path, shared, values};
 use crate::scene::{Scene, check_count};
 use crate::types::{Hit, Near, Options, Ray};
 
-/// Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of both
-/// arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after an error.
+/// Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
+/// both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
+/// an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_new_d(
     vertices: *const f64,
@@ -54,8 +55,8 @@ pub unsafe extern "C" fn stackless_scene_free_d(scene: *mut Scene<DVec3>) -> Err
     })
 }
 
-/// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower the
-/// more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
+/// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower
+/// the more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_refit_d(
     scene: *mut Scene<DVec3>,
@@ -85,8 +86,7 @@ pub unsafe extern "C" fn stackless_scene_counts_d(
         // SAFETY: the header requires what this function does.
         let mesh = unsafe { shared(scene, "scene") }?.mesh();
         let counts = [mesh.vertices().len(), mesh.triangles().len()];
-        for (pointer, name, count) in
-            [(vertex_count, "vertex_count", counts[0]), (face_count, "face_count", counts[1])]
+        for (pointer, name, count) in [(vertex_count, "vertex_count", counts[0]), (face_count, "face_count", counts[1])]
         {
             if !pointer.is_null() {
                 // SAFETY: likewise.
@@ -115,16 +115,16 @@ pub unsafe extern "C" fn stackless_scene_bounds_d(
     })
 }
 
-/// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of the
-/// Python package.
+/// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of
+/// the Python package.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_save_d(scene: *const Scene<DVec3>, file: *const c_char) -> Error {
     // SAFETY: the header requires what these functions do.
     answer(|| unsafe { shared(scene, "scene")?.save(path(file, "file")?) })
 }
 
-/// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null after
-/// an error.
+/// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null
+/// after an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_load_d(
     file: *const c_char,
@@ -143,8 +143,8 @@ pub unsafe extern "C" fn stackless_scene_load_d(
     })
 }
 
-/// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it with a
-/// capacity of 0; `bytes` may then be null.
+/// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it
+/// with a capacity of 0; `bytes` may then be null.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_to_bytes_d(
     scene: *const Scene<DVec3>,
@@ -212,8 +212,8 @@ pub unsafe extern "C" fn stackless_any1_d(
     })
 }
 
-/// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones, as
-/// many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
+/// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones,
+/// as many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_all1_d(
     scene: *const Scene<DVec3>,
@@ -234,8 +234,8 @@ pub unsafe extern "C" fn stackless_all1_d(
     })
 }
 
-/// Finds the first hit after another one of the same ray, in the order of `stackless_all1_d`. So a program can walk from
-/// hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
+/// Finds the first hit after another one of the same ray, in the order of `stackless_all1_d`. So a program can walk
+/// from hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_next1_d(
     scene: *const Scene<DVec3>,
@@ -308,8 +308,9 @@ pub unsafe extern "C" fn stackless_crossings_n_d(
     })
 }
 
-/// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`, `STACKLESS_OUTSIDE`
-/// or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit looks at all edges.
+/// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`,
+/// `STACKLESS_OUTSIDE` or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit
+/// looks at all edges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_locate_n_d(
     scene: *const Scene<DVec3>,
@@ -329,8 +330,8 @@ pub unsafe extern "C" fn stackless_locate_n_d(
     })
 }
 
-/// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may be
-/// infinite. Of equally near faces it is the one of the least index.
+/// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
+/// be infinite. Of equally near faces it is the one of the least index.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_nearest_n_d(
     scene: *const Scene<DVec3>,

@@ -71,11 +71,7 @@ pub(crate) unsafe fn path<'a>(pointer: *const c_char, name: &'static str) -> Res
 ///
 /// # Safety
 /// As [`Out::new`].
-pub(crate) unsafe fn values<'a, T: Copy>(
-    name: &'static str,
-    first: *mut T,
-    count: usize,
-) -> Result<Out<'a, T>, Fault> {
+pub(crate) unsafe fn values<'a, T: Copy>(name: &'static str, first: *mut T, count: usize) -> Result<Out<'a, T>, Fault> {
     // SAFETY: as the caller promises.
     unsafe { Out::new(name, first, size_of::<T>(), count) }
 }
@@ -143,8 +139,8 @@ impl<T: Copy> In<'_, T> {
     /// An array of elements that are `stride` bytes apart.
     ///
     /// # Safety
-    /// If the pointer passes the checks of [`Layout::new`], `count` elements that are valid as `T` are there during `'a`,
-    /// and nothing changes them.
+    /// If the pointer passes the checks of [`Layout::new`], `count` elements that are valid as `T` are there during
+    /// `'a`, and nothing changes them.
     pub(crate) unsafe fn new(name: &'static str, first: *const T, stride: usize, count: usize) -> Result<Self, Fault> {
         let layout = Layout::new(name, first, stride, count)?;
         Ok(Self { first, layout, name: (name, false), borrowed: PhantomData })
@@ -196,15 +192,16 @@ pub(crate) struct Out<'a, T> {
 // SAFETY: it is as a mutable slice.
 unsafe impl<T: Send> Send for Out<'_, T> {}
 
-// SAFETY: a shared one gives nothing but its layout, and `write` to callers that see to it that elements are not shared.
+// SAFETY: a shared one gives nothing but its layout, and `write` to callers that see to it that elements are not
+// shared.
 unsafe impl<T: Send> Sync for Out<'_, T> {}
 
 impl<T: Copy> Out<'_, T> {
     /// An array of elements that are `stride` bytes apart.
     ///
     /// # Safety
-    /// If the pointer passes the checks of [`Layout::new`], there is memory for `count` elements during `'a`, and nothing
-    /// else uses it. It need not be initialised.
+    /// If the pointer passes the checks of [`Layout::new`], there is memory for `count` elements during `'a`, and
+    /// nothing else uses it. It need not be initialised.
     pub(crate) unsafe fn new(name: &'static str, first: *mut T, stride: usize, count: usize) -> Result<Self, Fault> {
         let layout = Layout::new(name, first, stride, count)?;
         Ok(Self { first, layout, borrowed: PhantomData })
@@ -262,8 +259,7 @@ impl<T: Copy> Out<'_, T> {
             None
         };
         let mut pieces = 0..this.count().div_ceil(PIECE);
-        let fault =
-            if is_parallel { pieces.into_par_iter().find_map_first(piece) } else { pieces.find_map(piece) };
+        let fault = if is_parallel { pieces.into_par_iter().find_map_first(piece) } else { pieces.find_map(piece) };
         fault.map_or(Ok(()), Err)
     }
 

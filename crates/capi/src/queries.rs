@@ -101,7 +101,8 @@ impl<V: Precision> Scene<V> {
                 ball.map_err(|error| Fault::of_ball(error, points.element(index)))
             };
             let balls = range.map(ball).collect::<Result<Vec<_>, _>>()?;
-            let none = Near { point: [V::Real::rounded(f64::NAN); 3], distance: V::Real::INFINITY, face: STACKLESS_NO_FACE };
+            let point = [V::Real::rounded(f64::NAN); 3];
+            let none = Near { point, distance: V::Real::INFINITY, face: STACKLESS_NO_FACE };
             let near = |found: stackless_bvh::trace::Near<V>| Near {
                 point: found.point.components(),
                 distance: found.distance,

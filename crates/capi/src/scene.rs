@@ -163,7 +163,8 @@ fn pool(threads: u32) -> Result<Option<ThreadPool>, Fault> {
         return Err(Fault::argument(format!("threads: {threads}, expected at most {MAX_THREADS}")));
     }
     let made = ThreadPoolBuilder::new().num_threads(threads as usize).build();
-    made.map(Some).map_err(|error| Fault::new(Error::OutOfMemory, format!("threads: {threads} cannot be started: {error}")))
+    let lacking = |error| Fault::new(Error::OutOfMemory, format!("threads: {threads} cannot be started: {error}"));
+    made.map(Some).map_err(lacking)
 }
 
 fn of_file(error: std::io::Error, path: &Path) -> Fault {

@@ -146,7 +146,6 @@ static void batches(const scene_t *scene, uint32_t flags)
         check_ray(scene, &rays[i], &hits, &ties);
     }
     CHECK(hits > 5 * RAYS && ties > RAYS / 10);
-    printf("%zu hits, %zu of them as far as the one before\n", hits, ties);
 }
 
 static scene_t *soup(uint32_t quality, uint32_t threads)

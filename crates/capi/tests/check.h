@@ -29,6 +29,8 @@ typedef CALL(near) near_t;
 /* Expects a call to fail with a code, and a message that has this text. */
 #define REFUSED(code, text, call) expect((call), STACKLESS_ERROR_##code, (text), #call, __FILE__, __LINE__)
 
+#define INVALID(text, call) REFUSED(INVALID_ARGUMENT, text, call)
+
 static inline void check(bool condition, const char *text, const char *file, int line)
 {
     if (!condition) {

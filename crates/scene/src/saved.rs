@@ -73,10 +73,7 @@ pub enum SavedError {
 ///
 /// # Errors
 /// A lack of memory for them.
-pub fn scene_to_bytes<V: Precision + Stored>(
-    mesh: &Mesh<V>,
-    bvh: &WideBvh<8, V>,
-) -> Result<Vec<u8>, TryReserveError> {
+pub fn scene_to_bytes<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>) -> Result<Vec<u8>, TryReserveError> {
     let mesh_bytes = size_of_val(mesh.vertices()) + size_of_val(mesh.triangles());
     let mut bytes = Vec::new();
     bytes.try_reserve_exact(HEADER_BYTES + mesh_bytes + bvh.bytes())?;
