@@ -44,6 +44,7 @@ const CRATES: &[(&str, &[&str])] = &[
             "stackless-suite",
         ],
     ),
+    ("crates/capi", &["stackless-bvh", "stackless-scene"]),
     ("crates/web", &["stackless-bvh", "stackless-explain", "stackless-scene"]),
 ];
 
@@ -253,7 +254,9 @@ fn the_reference_is_short() {
 fn nothing_is_unsafe() {
     let is_root = |file: &&PathBuf| file.ends_with("src/lib.rs") || file.ends_with("main.rs");
     for file in sources().iter().filter(is_root) {
-        assert!(read(file).contains("\n#![forbid(unsafe_code)]\n"), "{}", file.display());
+        // Pointers of C: the modules that may read them say so.
+        let level = if file.starts_with("crates/capi") { "deny" } else { "forbid" };
+        assert!(read(file).contains(&format!("\n#![{level}(unsafe_code)]\n")), "{}", file.display());
     }
     assert!(read(Path::new("Cargo.toml")).contains("\nunsafe_code = \"forbid\"\n"));
 }

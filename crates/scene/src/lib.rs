@@ -29,6 +29,7 @@ mod ply;
 mod property;
 mod rays;
 mod rounding;
+mod saved;
 mod stl;
 mod text;
 
@@ -43,6 +44,7 @@ pub use rays::{
     Format, HitRow, LoadedRays, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits,
 };
 pub use rounding::{Rounding, size};
+pub use saved::{SavedError, scene_from_bytes, scene_to_bytes};
 pub use stl::read_stl;
 pub use text::read_text;
 

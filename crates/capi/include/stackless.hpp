@@ -1,0 +1,280 @@
+// libstackless for C++17: scenes that free themselves, containers, exceptions. What the functions do: stackless.h.
+#ifndef STACKLESS_HPP
+#define STACKLESS_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "stackless.h"
+
+namespace stackless {
+
+// A call that failed. `what` names the element, what was found and what was expected.
+class error : public std::runtime_error {
+public:
+    explicit error(stackless_error code) : std::runtime_error(stackless_error_message()), code_(code) {}
+    stackless_error code() const noexcept { return code_; }
+
+private:
+    stackless_error code_;
+};
+
+inline void check(stackless_error code)
+{
+    if (code != STACKLESS_ERROR_NONE) {
+        throw error(code);
+    }
+}
+
+enum class rule : std::uint32_t {
+    parity = STACKLESS_RULE_PARITY,
+    nonzero = STACKLESS_RULE_NONZERO,
+    winding = STACKLESS_RULE_WINDING,
+};
+
+enum class location : std::uint8_t {
+    outside = STACKLESS_OUTSIDE,
+    inside = STACKLESS_INSIDE,
+    surface = STACKLESS_SURFACE,
+};
+
+// Who answers a batch.
+enum class threads : std::uint32_t { one = STACKLESS_SERIAL, all = STACKLESS_PARALLEL };
+
+// The types and functions of a precision.
+template <class Real> struct functions;
+
+#define STACKLESS_FUNCTIONS(Real, p)                                                                                   \
+    template <> struct functions<Real> {                                                                               \
+        using scene = stackless_scene_##p;                                                                             \
+        using ray = stackless_ray_##p;                                                                                 \
+        using hit = stackless_hit_##p;                                                                                 \
+        using nearest_point = stackless_near_##p;                                                                      \
+        static constexpr auto make = stackless_scene_new_##p;                                                          \
+        static constexpr auto free = stackless_scene_free_##p;                                                         \
+        static constexpr auto refit = stackless_scene_refit_##p;                                                       \
+        static constexpr auto counts = stackless_scene_counts_##p;                                                     \
+        static constexpr auto bounds = stackless_scene_bounds_##p;                                                     \
+        static constexpr auto save = stackless_scene_save_##p;                                                         \
+        static constexpr auto load = stackless_scene_load_##p;                                                         \
+        static constexpr auto to_bytes = stackless_scene_to_bytes_##p;                                                 \
+        static constexpr auto from_bytes = stackless_scene_from_bytes_##p;                                             \
+        static constexpr auto closest1 = stackless_closest1_##p;                                                       \
+        static constexpr auto any1 = stackless_any1_##p;                                                               \
+        static constexpr auto all1 = stackless_all1_##p;                                                               \
+        static constexpr auto next1 = stackless_next1_##p;                                                             \
+        static constexpr auto closest_n = stackless_closest_n_##p;                                                     \
+        static constexpr auto any_n = stackless_any_n_##p;                                                             \
+        static constexpr auto crossings_n = stackless_crossings_n_##p;                                                 \
+        static constexpr auto locate_n = stackless_locate_n_##p;                                                       \
+        static constexpr auto nearest_n = stackless_nearest_n_##p;                                                     \
+    };
+STACKLESS_FUNCTIONS(float, f)
+STACKLESS_FUNCTIONS(double, d)
+#undef STACKLESS_FUNCTIONS
+
+// A mesh with its hierarchy, in the precision `Real`: float or double. Threads may call its const functions at the same
+// time. Containers are contiguous: vectors, arrays, spans. Vertices, points and faces are structures that begin with
+// three numbers, such as `std::array<double, 3>` and `std::array<std::uint32_t, 3>`.
+template <class Real> class scene {
+    using call = functions<Real>;
+    using handle = typename call::scene;
+
+public:
+    using ray = typename call::ray;
+    using hit = typename call::hit;
+    using nearest_point = typename call::nearest_point;
+    using point = std::array<Real, 3>;
+
+    template <class Vertices, class Faces>
+    scene(const Vertices& vertices, const Faces& faces, const stackless_options& options = {})
+    {
+        handle* made = nullptr;
+        check(call::make(numbers<Real>(vertices), stride(vertices), std::size(vertices), numbers<std::uint32_t>(faces),
+                         stride(faces), std::size(faces), &options, &made));
+        handle_.reset(made);
+    }
+
+    static scene load(const std::string& file, std::uint32_t threads = 0)
+    {
+        handle* made = nullptr;
+        check(call::load(file.c_str(), threads, &made));
+        return scene(made);
+    }
+
+    static scene from_bytes(const std::vector<std::uint8_t>& bytes, std::uint32_t threads = 0)
+    {
+        handle* made = nullptr;
+        check(call::from_bytes(bytes.data(), bytes.size(), threads, &made));
+        return scene(made);
+    }
+
+    void save(const std::string& file) const { check(call::save(get(), file.c_str())); }
+
+    std::vector<std::uint8_t> to_bytes() const
+    {
+        std::size_t size = 0;
+        check(call::to_bytes(get(), nullptr, 0, &size));
+        std::vector<std::uint8_t> bytes(size);
+        check(call::to_bytes(get(), bytes.data(), bytes.size(), &size));
+        return bytes;
+    }
+
+    template <class Vertices> void refit(const Vertices& vertices)
+    {
+        check(call::refit(handle_.get(), numbers<Real>(vertices), stride(vertices), std::size(vertices)));
+    }
+
+    std::size_t face_count() const
+    {
+        std::size_t count = 0;
+        check(call::counts(get(), nullptr, &count));
+        return count;
+    }
+
+    // The least and the greatest coordinates.
+    std::array<point, 2> bounds() const
+    {
+        std::array<point, 2> found;
+        check(call::bounds(get(), found[0].data(), found[1].data()));
+        return found;
+    }
+
+    std::optional<hit> closest(const ray& r) const
+    {
+        hit found;
+        check(call::closest1(get(), &r, &found));
+        return some(found);
+    }
+
+    bool any(const ray& r) const
+    {
+        bool found = false;
+        check(call::any1(get(), &r, &found));
+        return found;
+    }
+
+    std::vector<hit> all(const ray& r) const
+    {
+        std::vector<hit> hits(8);
+        std::size_t count = 0;
+        check(call::all1(get(), &r, hits.data(), sizeof(hit), hits.size(), &count));
+        const bool is_short = count > hits.size();
+        hits.resize(count);
+        if (is_short) {
+            check(call::all1(get(), &r, hits.data(), sizeof(hit), hits.size(), &count));
+        }
+        return hits;
+    }
+
+    std::optional<hit> next(const ray& r, const hit& after) const
+    {
+        hit found;
+        check(call::next1(get(), &r, &after, &found));
+        return some(found);
+    }
+
+    // Of a miss the face is STACKLESS_NO_FACE.
+    template <class Rays> std::vector<hit> closest_n(const Rays& rays, threads by = threads::one) const
+    {
+        std::vector<hit> hits(std::size(rays));
+        check(call::closest_n(get(), of_rays(rays), sizeof(ray), hits.size(), hits.data(), sizeof(hit), flags(by)));
+        return hits;
+    }
+
+    // 1 for each ray that hits, else 0.
+    template <class Rays> std::vector<std::uint8_t> any_n(const Rays& rays, threads by = threads::one) const
+    {
+        const std::size_t count = std::size(rays);
+        const std::unique_ptr<bool[]> found(new bool[count]());
+        check(call::any_n(get(), of_rays(rays), sizeof(ray), count, found.get(), sizeof(bool), flags(by)));
+        return std::vector<std::uint8_t>(found.get(), found.get() + count);
+    }
+
+    std::uint32_t crossings(const ray& r) const { return crossings_n(std::array<ray, 1>{r})[0]; }
+
+    template <class Rays> std::vector<std::uint32_t> crossings_n(const Rays& rays, threads by = threads::one) const
+    {
+        std::vector<std::uint32_t> counts(std::size(rays));
+        check(call::crossings_n(get(), of_rays(rays), sizeof(ray), counts.size(), counts.data(), sizeof(counts[0]),
+                                flags(by)));
+        return counts;
+    }
+
+    location locate(const point& p, rule by = rule::parity) const { return locate_n(std::array<point, 1>{p}, by)[0]; }
+
+    template <class Points>
+    std::vector<location> locate_n(const Points& points, rule r = rule::parity, threads by = threads::one) const
+    {
+        std::vector<std::uint8_t> found(std::size(points));
+        check(call::locate_n(get(), numbers<Real>(points), stride(points), found.size(),
+                             static_cast<std::uint32_t>(r), found.data(), 1, flags(by)));
+        std::vector<location> places(found.size());
+        for (std::size_t i = 0; i < found.size(); i++) {
+            places[i] = static_cast<location>(found[i]);
+        }
+        return places;
+    }
+
+    // Without a point within the radius the face is STACKLESS_NO_FACE.
+    template <class Points>
+    std::vector<nearest_point> nearest_n(const Points& points, Real radius, threads by = threads::one) const
+    {
+        std::vector<nearest_point> nears(std::size(points));
+        check(call::nearest_n(get(), numbers<Real>(points), stride(points), nears.size(), radius, nears.data(),
+                              sizeof(nearest_point), flags(by)));
+        return nears;
+    }
+
+    // For the functions of stackless.h.
+    const handle* get() const noexcept { return handle_.get(); }
+
+private:
+    struct deleter {
+        void operator()(handle* it) const noexcept { call::free(it); }
+    };
+
+    explicit scene(handle* made) : handle_(made) {}
+
+    static std::uint32_t flags(threads by) { return static_cast<std::uint32_t>(by); }
+
+    static std::optional<hit> some(const hit& found)
+    {
+        return found.face == STACKLESS_NO_FACE ? std::nullopt : std::optional<hit>(found);
+    }
+
+    template <class Items>
+    using item = std::remove_cv_t<std::remove_pointer_t<decltype(std::data(std::declval<const Items&>()))>>;
+
+    template <class Items> static constexpr std::size_t stride(const Items&) { return sizeof(item<Items>); }
+
+    template <class Rays> static const ray* of_rays(const Rays& rays)
+    {
+        static_assert(std::is_same_v<item<Rays>, ray>, "rays are of the precision of the scene");
+        return std::data(rays);
+    }
+
+    // The first of the numbers that the items begin with.
+    template <class Number, class Items> static const Number* numbers(const Items& items)
+    {
+        using type = item<Items>;
+        static_assert(std::is_standard_layout_v<type>, "items are structures of C");
+        static_assert(sizeof(type) >= 3 * sizeof(Number), "items begin with three numbers");
+        return reinterpret_cast<const Number*>(std::data(items));
+    }
+
+    std::unique_ptr<handle, deleter> handle_;
+};
+
+} // namespace stackless
+
+#endif

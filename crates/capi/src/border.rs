@@ -1,0 +1,57 @@
+//! What crosses the border to C: a code, and never a panic.
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::ffi::{CString, c_char};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr;
+
+use crate::error::{Error, Fault};
+
+thread_local! {
+    static MESSAGE: RefCell<CString> = RefCell::default();
+}
+
+/// What the last failed call of this thread was refused for: one line that names the element, what was found and what
+/// was expected. Empty if no call has failed. Valid until the next failure of this thread.
+#[allow(unsafe_code, reason = "its name is exported")]
+#[unsafe(no_mangle)]
+pub extern "C" fn stackless_error_message() -> *const c_char {
+    // Null only while the thread ends.
+    MESSAGE.try_with(|message| message.borrow().as_ptr()).unwrap_or(ptr::null())
+}
+
+/// Does the work of a call, and returns its code.
+pub(crate) fn answer(work: impl FnOnce() -> Result<(), Fault>) -> Error {
+    // A scene that was being changed is to be destroyed, as the header says of this code.
+    let fault = match catch_unwind(AssertUnwindSafe(work)) {
+        Ok(Ok(())) => return Error::None,
+        Ok(Err(fault)) => fault,
+        Err(panic) => Fault::new(Error::Internal, format!("a bug in this library: {}", text(&*panic))),
+    };
+    // None of our messages has a zero byte.
+    let message = CString::new(fault.message).unwrap_or_default();
+    // While the thread ends there is no place for the message, and nobody to read it.
+    drop(MESSAGE.try_with(|kept| kept.replace(message)));
+    fault.error
+}
+
+/// The message of a panic.
+fn text(panic: &(dyn Any + Send)) -> &str {
+    let owned = panic.downcast_ref::<String>().map(String::as_str);
+    owned.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_panic_crosses_the_border() {
+        #[allow(clippy::panic)]
+        let error = answer(|| panic!("planted"));
+        assert_eq!(error, Error::Internal);
+        let message = MESSAGE.with_borrow(Clone::clone);
+        assert_eq!(message.to_str(), Ok("a bug in this library: planted"));
+    }
+}

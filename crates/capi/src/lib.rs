@@ -1,0 +1,23 @@
+//! The library for C and C++. `include/stackless.h` is its documentation, which cbindgen makes of this crate.
+//!
+//! [`double`] and [`single`] have the functions that C calls. They turn pointers into values by [`memory`], the only
+//! other module with `unsafe`, and call [`queries`] and [`scene`], which are safe.
+
+#![deny(unsafe_code)]
+
+mod border;
+#[allow(unsafe_code, reason = "C calls it, with pointers")]
+pub mod double;
+mod error;
+#[allow(unsafe_code, reason = "reads and writes through the pointers of the caller")]
+mod memory;
+mod queries;
+mod scene;
+#[allow(unsafe_code, reason = "C calls it, with pointers")]
+pub mod single;
+mod types;
+
+pub use border::stackless_error_message;
+pub use error::Error;
+pub use scene::Scene;
+pub use types::{Hit, Near, Options, Ray};

@@ -1,0 +1,144 @@
+//! Queries of one ray, and of arrays of rays and points.
+
+use std::ops::Range;
+
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::{Ball, Ray as CheckedRay, Real as _, check_environment};
+use stackless_bvh::trace::{Hit as Found, Location, MeshQueries as _, RayQueries as _, Rule, Solid};
+
+use crate::error::Fault;
+use crate::memory::{In, Out};
+use crate::scene::Scene;
+use crate::types::{
+    Hit, Near, Ray, STACKLESS_INSIDE, STACKLESS_NO_FACE, STACKLESS_OUTSIDE, STACKLESS_PARALLEL, STACKLESS_RULE_NONZERO,
+    STACKLESS_RULE_PARITY, STACKLESS_RULE_WINDING, STACKLESS_SERIAL, STACKLESS_SURFACE,
+};
+
+/// Numbers of a precision.
+type Real<V> = <V as stackless_bvh::geom::Vector>::Real;
+
+/// Rays of the caller.
+type Rays<'a, V> = In<'a, Ray<Real<V>>>;
+
+impl<V: Precision> Scene<V> {
+    pub(crate) fn closest1(&self, ray: &Rays<'_, V>) -> Result<Hit<Real<V>>, Fault> {
+        Ok(hit::<V>(self.tracer().closest(&checked::<V>(ray, 0)?)))
+    }
+
+    pub(crate) fn any1(&self, ray: &Rays<'_, V>) -> Result<bool, Fault> {
+        Ok(self.tracer().any(&checked::<V>(ray, 0)?))
+    }
+
+    pub(crate) fn all1(&self, ray: &Rays<'_, V>) -> Result<Vec<Hit<Real<V>>>, Fault> {
+        let hits = self.tracer().all(&checked::<V>(ray, 0)?);
+        Ok(hits.into_iter().map(|found| hit::<V>(Some(found))).collect())
+    }
+
+    pub(crate) fn next1(&self, ray: &Rays<'_, V>, after: Hit<Real<V>>) -> Result<Hit<Real<V>>, Fault> {
+        let (t, faces): (f64, _) = (after.t.into(), self.mesh().triangles().len());
+        if t.is_nan() || after.face as usize >= faces {
+            let found = format!("t {t}, face {}", after.face);
+            return Err(Fault::argument(format!("after: {found}, expected a hit of one of {faces} faces")));
+        }
+        Ok(hit::<V>(self.tracer().next(&checked::<V>(ray, 0)?, (after.t, after.face))))
+    }
+
+    pub(crate) fn closest_n(&self, rays: &Rays<'_, V>, hits: Out<'_, Hit<Real<V>>>, flags: u32) -> Result<(), Fault> {
+        self.batch(hits, flags, |range| {
+            let hits = self.tracer().closest_each(&all_checked::<V>(rays, range)?);
+            Ok(hits.into_iter().map(hit::<V>).collect())
+        })
+    }
+
+    pub(crate) fn any_n(&self, rays: &Rays<'_, V>, hits: Out<'_, bool>, flags: u32) -> Result<(), Fault> {
+        self.batch(hits, flags, |range| Ok(self.tracer().any_each(&all_checked::<V>(rays, range)?)))
+    }
+
+    pub(crate) fn crossings_n(&self, rays: &Rays<'_, V>, counts: Out<'_, u32>, flags: u32) -> Result<(), Fault> {
+        self.batch(counts, flags, |range| Ok(self.tracer().crossings_each(&all_checked::<V>(rays, range)?)))
+    }
+
+    pub(crate) fn locate_n(
+        &self,
+        points: &In<'_, [Real<V>; 3]>,
+        rule: u32,
+        locations: Out<'_, u8>,
+        flags: u32,
+    ) -> Result<(), Fault> {
+        let rule = match rule {
+            STACKLESS_RULE_PARITY => Rule::Parity,
+            STACKLESS_RULE_NONZERO => Rule::Nonzero,
+            STACKLESS_RULE_WINDING => Rule::Winding,
+            _ => return Err(Fault::argument(format!("rule: {rule}, expected a STACKLESS_RULE constant, 0 to 2"))),
+        };
+        check_environment()?;
+        let tracer = self.tracer();
+        let solid = Solid::new(&tracer, self.mesh(), self.boundary(), rule)?;
+        self.batch(locations, flags, |range| {
+            let locate = |index| {
+                let place = solid.locate(V::from_components(points.get(index)));
+                let place = place.map_err(|error| Fault::of_point(error, points.element(index)))?;
+                Ok(match place {
+                    Location::Inside => STACKLESS_INSIDE,
+                    Location::Outside => STACKLESS_OUTSIDE,
+                    Location::Surface => STACKLESS_SURFACE,
+                })
+            };
+            range.map(locate).collect()
+        })
+    }
+
+    pub(crate) fn nearest_n(
+        &self,
+        points: &In<'_, [Real<V>; 3]>,
+        radius: Real<V>,
+        nears: Out<'_, Near<Real<V>>>,
+        flags: u32,
+    ) -> Result<(), Fault> {
+        self.batch(nears, flags, |range| {
+            let ball = |index| {
+                let ball = Ball::new(V::from_components(points.get(index)), radius);
+                ball.map_err(|error| Fault::of_ball(error, points.element(index)))
+            };
+            let balls = range.map(ball).collect::<Result<Vec<_>, _>>()?;
+            let point = [V::Real::rounded(f64::NAN); 3];
+            let none = Near { point, distance: V::Real::INFINITY, face: STACKLESS_NO_FACE };
+            let near = |found: stackless_bvh::trace::Near<V>| Near {
+                point: found.point.components(),
+                distance: found.distance,
+                face: found.prim,
+            };
+            Ok(self.tracer().nearest_each(&balls).into_iter().map(|found| found.map_or(none, near)).collect())
+        })
+    }
+
+    /// Writes what `answer` makes of ranges of indices.
+    fn batch<A: Copy + Send>(
+        &self,
+        mut answers: Out<'_, A>,
+        flags: u32,
+        answer: impl Fn(Range<usize>) -> Result<Vec<A>, Fault> + Sync,
+    ) -> Result<(), Fault> {
+        match flags {
+            STACKLESS_SERIAL => answers.answer(false, answer),
+            STACKLESS_PARALLEL => self.share(|| answers.answer(true, &answer)),
+            _ => Err(Fault::argument(format!("flags: {flags}, expected STACKLESS_SERIAL or STACKLESS_PARALLEL"))),
+        }
+    }
+}
+
+fn all_checked<V: Precision>(rays: &Rays<'_, V>, range: Range<usize>) -> Result<Vec<CheckedRay<V>>, Fault> {
+    range.map(|index| checked::<V>(rays, index)).collect()
+}
+
+fn checked<V: Precision>(rays: &Rays<'_, V>, index: usize) -> Result<CheckedRay<V>, Fault> {
+    let Ray { origin, tmin, direction, tmax } = rays.get(index);
+    let ray = CheckedRay::within(V::from_components(origin), V::from_components(direction), tmin, tmax);
+    ray.map_err(|error| Fault::of_ray(error, rays.element(index)))
+}
+
+fn hit<V: Precision>(found: Option<Found<Real<V>>>) -> Hit<Real<V>> {
+    let nan = V::Real::rounded(f64::NAN);
+    let miss = Hit { t: V::Real::INFINITY, u: nan, v: nan, face: STACKLESS_NO_FACE };
+    found.map_or(miss, |Found { prim, t, u, v }| Hit { t, u, v, face: prim })
+}

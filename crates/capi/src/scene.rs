@@ -1,0 +1,172 @@
+//! A mesh with its hierarchy, safe.
+
+use std::fs;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use glam::{DVec3, Vec3};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use stackless_bvh::bvh::{BuildOptions, Builder, Stored, WideBvh};
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::{MAX_COUNT, Mesh};
+use stackless_bvh::trace::{Boundary, Tracer};
+use stackless_scene::{scene_from_bytes, scene_to_bytes, write_atomically};
+
+use crate::error::{Error, Fault};
+use crate::memory::{Anywhere, In};
+use crate::types::{
+    Options, STACKLESS_QUALITY_FAST, STACKLESS_QUALITY_HIGH, STACKLESS_QUALITY_SPATIAL, STACKLESS_QUALITY_STANDARD,
+};
+
+/// A mesh with its hierarchy. Any number of threads may query it at the same time.
+#[derive(Debug)]
+pub struct Scene<V: Precision> {
+    mesh: Mesh<V>,
+    bvh: WideBvh<8, V>,
+    /// What the edges say; found when it is first needed.
+    boundary: OnceLock<Boundary>,
+    /// Its own threads; else those of the process.
+    pool: Option<ThreadPool>,
+}
+
+/// Queries need no lock.
+const _: () = {
+    const fn is_shared<T: Sync + Send>() {}
+    is_shared::<Scene<Vec3>>();
+    is_shared::<Scene<DVec3>>();
+};
+
+/// Vertices and faces, as C has them.
+pub(crate) type Vertices<'a, V> = In<'a, Anywhere<[<V as stackless_bvh::geom::Vector>::Real; 3]>>;
+pub(crate) type Faces<'a> = In<'a, Anywhere<[u32; 3]>>;
+
+impl<V: Precision + Stored> Scene<V> {
+    pub(crate) fn new(vertices: &Vertices<'_, V>, faces: &Faces<'_>, options: Options) -> Result<Self, Fault> {
+        let builder = builder(options.quality)?;
+        let pool = pool(options.threads)?;
+        let faces = faces.to_vec()?;
+        let mesh = Mesh::new(vectors::<V>(vertices)?, faces.into_iter().map(|Anywhere(face)| face).collect())?;
+        let options = BuildOptions { builder, ..BuildOptions::default() };
+        let bvh = shared(pool.as_ref(), || options.build_wide(&mesh))?;
+        Ok(Self { mesh, bvh, boundary: OnceLock::new(), pool })
+    }
+
+    /// Moves the vertices.
+    pub(crate) fn refit(&mut self, vertices: &Vertices<'_, V>) -> Result<(), Fault> {
+        let (found, expected) = (vertices.count(), self.mesh.vertices().len());
+        if found != expected {
+            return Err(Fault::argument(format!("vertex_count: {found}, expected {expected} as the scene has")));
+        }
+        let mesh = Mesh::new(vectors::<V>(vertices)?, self.mesh.triangles().to_vec())?;
+        let Self { bvh, pool, .. } = self;
+        shared(pool.as_ref(), || bvh.refit(&mesh))?;
+        (self.mesh, self.boundary) = (mesh, OnceLock::new());
+        Ok(())
+    }
+
+    pub(crate) fn to_bytes(&self) -> Result<Vec<u8>, Fault> {
+        scene_to_bytes(&self.mesh, &self.bvh).map_err(|error| Fault::new(Error::OutOfMemory, error))
+    }
+
+    pub(crate) fn from_bytes(bytes: &[u8], threads: u32) -> Result<Self, Fault> {
+        let pool = pool(threads)?;
+        let (mesh, bvh) = shared(pool.as_ref(), || scene_from_bytes(bytes))?;
+        Ok(Self { mesh, bvh, boundary: OnceLock::new(), pool })
+    }
+
+    /// Writes a file, whole or not at all.
+    pub(crate) fn save(&self, path: &Path) -> Result<(), Fault> {
+        let bytes = self.to_bytes()?;
+        write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| of_file(error, path))
+    }
+
+    pub(crate) fn load(path: &Path, threads: u32) -> Result<Self, Fault> {
+        let bytes = fs::read(path).map_err(|error| of_file(error, path))?;
+        let in_file = |fault: Fault| Fault { message: format!("{}: {}", path.display(), fault.message), ..fault };
+        Self::from_bytes(&bytes, threads).map_err(in_file)
+    }
+}
+
+impl<V: Precision> Scene<V> {
+    pub(crate) fn mesh(&self) -> &Mesh<V> {
+        &self.mesh
+    }
+
+    pub(crate) fn tracer(&self) -> Tracer<&WideBvh<8, V>, V> {
+        Tracer::new(&self.bvh)
+    }
+
+    /// Two threads that come at once both look, and find the same. Neither waits for the other.
+    pub(crate) fn boundary(&self) -> &Boundary {
+        if let Some(boundary) = self.boundary.get() {
+            return boundary;
+        }
+        let boundary = self.share(|| Boundary::of(&self.mesh));
+        self.boundary.get_or_init(|| boundary)
+    }
+
+    /// Does work whose parallel parts the threads of this scene share.
+    pub(crate) fn share<A: Send>(&self, work: impl FnOnce() -> A + Send) -> A {
+        shared(self.pool.as_ref(), work)
+    }
+
+    /// The least and the greatest coordinates of all corners of faces.
+    pub(crate) fn bounds(&self) -> [[V::Real; 3]; 2] {
+        let corners = self.mesh.triangles().iter().flatten().map(|&corner| self.mesh.vertices()[corner as usize]);
+        let first = self.mesh.triangle(0)[0].components();
+        corners.map(V::components).fold([first; 2], |[lower, upper], x| {
+            let least = |a, b| if b < a { b } else { a };
+            let most = |a, b| if b > a { b } else { a };
+            [[0, 1, 2].map(|k| least(lower[k], x[k])), [0, 1, 2].map(|k| most(upper[k], x[k]))]
+        })
+    }
+}
+
+fn shared<A: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> A + Send) -> A {
+    match pool {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
+}
+
+/// Checks a count before memory is taken for so many.
+pub(crate) fn check_count(count: usize, name: &str) -> Result<(), Fault> {
+    if count > MAX_COUNT {
+        return Err(Fault::argument(format!("{name}: {count}, expected at most {MAX_COUNT}")));
+    }
+    Ok(())
+}
+
+fn vectors<V: Precision>(vertices: &Vertices<'_, V>) -> Result<Vec<V>, Fault> {
+    let vertices = vertices.to_vec()?;
+    Ok(vertices.into_iter().map(|Anywhere(vertex)| V::from_components(vertex)).collect())
+}
+
+fn builder(quality: u32) -> Result<Builder, Fault> {
+    Ok(match quality {
+        STACKLESS_QUALITY_STANDARD => Builder::Standard,
+        STACKLESS_QUALITY_FAST => Builder::Fast,
+        STACKLESS_QUALITY_HIGH => Builder::Best,
+        STACKLESS_QUALITY_SPATIAL => Builder::Spatial,
+        _ => return Err(Fault::argument(format!("quality: {quality}, expected a STACKLESS_QUALITY constant, 0 to 3"))),
+    })
+}
+
+/// Greatest number of threads that can be asked for: more are a mistake.
+const MAX_THREADS: u32 = 1 << 12;
+
+fn pool(threads: u32) -> Result<Option<ThreadPool>, Fault> {
+    if threads == 0 {
+        return Ok(None);
+    }
+    if threads > MAX_THREADS {
+        return Err(Fault::argument(format!("threads: {threads}, expected at most {MAX_THREADS}")));
+    }
+    let made = ThreadPoolBuilder::new().num_threads(threads as usize).build();
+    let lacking = |error| Fault::new(Error::OutOfMemory, format!("threads: {threads} cannot be started: {error}"));
+    made.map(Some).map_err(lacking)
+}
+
+fn of_file(error: std::io::Error, path: &Path) -> Fault {
+    Fault::new(Error::File, format!("{}: {error}", path.display()))
+}

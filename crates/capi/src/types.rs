@@ -1,0 +1,82 @@
+//! The structures and constants that C sees.
+
+/// The index of no face: that of a ray that misses.
+pub const STACKLESS_NO_FACE: u32 = u32::MAX;
+
+/// How much time a build may take: a moderate time, and nearly the fastest queries.
+pub const STACKLESS_QUALITY_STANDARD: u32 = 0;
+/// A shorter build, and slower queries.
+pub const STACKLESS_QUALITY_FAST: u32 = 1;
+/// A longer build.
+pub const STACKLESS_QUALITY_HIGH: u32 = 2;
+/// As standard, with triangles split between leaves where they are long and thin. It takes more memory.
+pub const STACKLESS_QUALITY_SPATIAL: u32 = 3;
+
+/// A batch is answered by the calling thread.
+pub const STACKLESS_SERIAL: u32 = 0;
+/// A batch is answered by the threads of the scene. The answers are the same.
+pub const STACKLESS_PARALLEL: u32 = 1;
+
+/// Points with an odd number of crossings are inside. The mesh must be closed.
+pub const STACKLESS_RULE_PARITY: u32 = 0;
+/// Points with a winding number other than 0 are inside. The mesh must be closed and oriented. Overlapping parts unite.
+pub const STACKLESS_RULE_NONZERO: u32 = 1;
+/// Points with a winding number above 1/2 are inside. Any mesh will do: where it has holes this is a good guess.
+pub const STACKLESS_RULE_WINDING: u32 = 2;
+
+/// The point is outside.
+pub const STACKLESS_OUTSIDE: u8 = 0;
+/// The point is inside.
+pub const STACKLESS_INSIDE: u8 = 1;
+/// The point is on a face, exactly.
+pub const STACKLESS_SURFACE: u8 = 2;
+
+/// How a scene is built. All zeros are the defaults.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// One of `STACKLESS_QUALITY_...`.
+    pub quality: u32,
+    /// Number of threads for the build and for parallel batches; 0 for one per processor, shared by all scenes.
+    pub threads: u32,
+}
+
+/// The points `origin + t * direction` with `tmin <= t <= tmax`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Ray<R> {
+    /// Finite.
+    pub origin: [R; 3],
+    /// The least distance of a hit, at least 0.
+    pub tmin: R,
+    /// Finite, and not zero. It need not have length 1.
+    pub direction: [R; 3],
+    /// The greatest distance of a hit, at least `tmin`. May be infinite.
+    pub tmax: R,
+}
+
+/// Where a ray meets a face.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Hit<R> {
+    /// Distance in lengths of the direction; infinite for a miss.
+    pub t: R,
+    /// Weight of the face's second vertex; NaN for a miss.
+    pub u: R,
+    /// Weight of the face's third vertex; NaN for a miss.
+    pub v: R,
+    /// Index of the face; `STACKLESS_NO_FACE` for a miss.
+    pub face: u32,
+}
+
+/// The point of the mesh that is nearest to another point.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Near<R> {
+    /// Where it is; NaN if there is none.
+    pub point: [R; 3],
+    /// How far away; infinite if there is none.
+    pub distance: R,
+    /// Index of its face; `STACKLESS_NO_FACE` if there is none.
+    pub face: u32,
+}

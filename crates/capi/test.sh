@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Builds libstackless, and checks it through C and C++ with gcc and clang, under sanitizers and valgrind, and as installed.
+# UPDATE=1 first writes what is made of other files: src/single.rs and include/stackless.h.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+target=$(realpath -m "${CARGO_TARGET_DIR:-../../target}")
+made=$target/capi
+mkdir -p "$made"
+warnings=(-Wall -Wextra -Werror -O1)
+
+# Says that a file is not the one that is made, or replaces it.
+compare() {
+    if [[ -n ${UPDATE-} ]]; then
+        cp "$1" "$2"
+    elif ! diff "$1" "$2"; then
+        echo "$2 is not what is made: UPDATE=1 crates/capi/test.sh" >&2
+        return 1
+    fi
+}
+
+# In single precision the functions have other names.
+{
+    echo '//! What C calls for scenes in single precision: double.rs with other names, which test.sh makes.'
+    sed -e 1d -e 's/f64/f32/g; s/DVec3/Vec3/g; s/_d\b/_f/g; s/double precision/single precision/' src/double.rs
+} > "$made/single.rs"
+rustfmt --edition 2024 --config-path ../../rustfmt.toml "$made/single.rs"
+compare "$made/single.rs" src/single.rs
+if command -v cbindgen > /dev/null; then
+    cbindgen --quiet --config cbindgen.toml --output "$made/stackless.h" src/lib.rs
+    compare "$made/stackless.h" include/stackless.h
+else
+    echo "no cbindgen: include/stackless.h is not compared with src" >&2
+fi
+# The example in README.md is the one that is built.
+compare <(sed -n '/^```c$/,/^```$/{//!p}' README.md) examples/minimal.c
+
+./install.sh "$made/installed"
+installed=$made/installed
+export PKG_CONFIG_PATH=$installed/lib/pkgconfig LD_LIBRARY_PATH=$installed/lib
+read -ra shared <<< "$(pkg-config --cflags --libs stackless)"
+static=(-I "$installed/include" "$installed/lib/libstackless.a" -lpthread -ldl -lm)
+sanitize=(-g -fsanitize=address,undefined -fno-sanitize-recover=all)
+# Threads of the library do not end before the program does, and so their memory is not freed.
+memcheck=(valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite)
+
+for c in gcc clang; do
+    for precision in -DDOUBLE -DSINGLE; do
+        for test in answers hostile; do
+            "$c" "${warnings[@]}" -std=c11 "$precision" "tests/$test.c" -o "$made/$test" "${shared[@]}" -lpthread -lm
+            "$c" "${warnings[@]}" -std=c11 "$precision" "${sanitize[@]}" "tests/$test.c" -o "$made/$test-asan" "${static[@]}"
+        done
+        "$made/answers" "$made/scene"
+        "$made/answers-asan" "$made/scene"
+        "$made/hostile" "$made"
+        "$made/hostile-asan" "$made"
+        "${memcheck[@]}" "$made/hostile" "$made" no-roundings
+    done
+    "$c" "${warnings[@]}" -std=c11 examples/minimal.c -o "$made/minimal" "${shared[@]}"
+    "${memcheck[@]}" "$made/minimal"
+done
+for c in g++ clang++; do
+    "$c" "${warnings[@]}" -std=c++17 tests/wrapper.cpp -o "$made/wrapper" "${shared[@]}"
+    "$c" "${warnings[@]}" -std=c++17 "${sanitize[@]}" tests/wrapper.cpp -o "$made/wrapper-asan" "${static[@]}"
+    "$made/wrapper" "$made/scene"
+    "$made/wrapper-asan" "$made/scene"
+    "${memcheck[@]}" "$made/wrapper" "$made/scene"
+done
+
+# As a user builds it.
+rm -rf "$made/examples"
+cmake -S examples -B "$made/examples" -DCMAKE_PREFIX_PATH="$installed" > "$made/cmake.log"
+cmake --build "$made/examples" >> "$made/cmake.log"
+"$made/examples/minimal"
+"$made/examples/minimal_cpp"
+"$made/examples/tracker"

@@ -1,0 +1,263 @@
+/* Answers through C are those of exact arithmetic, which integers of 64 bits can do for small integer coordinates. */
+#include <math.h>
+#include <pthread.h>
+
+#include "check.h"
+
+enum { FACES = 400, RAYS = 2000, THREADS = 4 };
+
+/* Layouts that are as odd as they may be: packed, so that numbers are at any address. */
+#pragma pack(push, 1)
+typedef struct { char tag; real position[3]; char colour[2]; } vertex_t;
+typedef struct { char tag; uint32_t corners[3]; } face_t;
+#pragma pack(pop)
+
+/* Ray and hit in one structure, as Embree has them. */
+typedef struct { ray_t ray; int number; hit_t hit; bool is_hit; } rayhit_t;
+
+typedef struct { int64_t t, u, v, det; uint32_t face; } exact_t;
+
+static vertex_t vertices[3 * FACES];
+static face_t faces[FACES];
+static rayhit_t rays[RAYS];
+static exact_t found[FACES];
+
+static void cross(const int64_t a[3], const int64_t b[3], int64_t c[3])
+{
+    for (int k = 0; k < 3; k++) {
+        c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    }
+}
+
+static int64_t dot(const int64_t a[3], const int64_t b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Moeller and Trumbore's test in integers: t, u and v are fractions over a positive det. */
+static bool meet(const ray_t *ray, uint32_t face, exact_t *hit)
+{
+    int64_t d[3], s[3], e1[3], e2[3], p[3], q[3];
+    for (int k = 0; k < 3; k++) {
+        const int64_t a = (int64_t)vertices[faces[face].corners[0]].position[k];
+        d[k] = (int64_t)ray->direction[k];
+        s[k] = (int64_t)ray->origin[k] - a;
+        e1[k] = (int64_t)vertices[faces[face].corners[1]].position[k] - a;
+        e2[k] = (int64_t)vertices[faces[face].corners[2]].position[k] - a;
+    }
+    cross(d, e2, p);
+    cross(s, e1, q);
+    const int64_t det = dot(e1, p), sign = det < 0 ? -1 : 1;
+    *hit = (exact_t){sign * dot(e2, q), sign * dot(s, p), sign * dot(d, q), sign * det, face};
+    return det != 0 && hit->u >= 0 && hit->v >= 0 && hit->u + hit->v <= hit->det &&
+           (double)hit->t >= ray->tmin * (double)hit->det && (double)hit->t <= ray->tmax * (double)hit->det;
+}
+
+static int by_distance(const void *left, const void *right)
+{
+    const exact_t *a = left, *b = right;
+    const int64_t order = a->t * b->det - b->t * a->det;
+    return order != 0 ? (order > 0) - (order < 0) : (a->face > b->face) - (a->face < b->face);
+}
+
+/* All hits, sorted. */
+static size_t all(const ray_t *ray)
+{
+    size_t count = 0;
+    for (uint32_t face = 0; face < FACES; face++) {
+        count += meet(ray, face, &found[count]);
+    }
+    qsort(found, count, sizeof found[0], by_distance);
+    return count;
+}
+
+/* Bit for bit: the quotient of two exact numbers is rounded once. */
+static bool equals(const hit_t *hit, const exact_t *exact)
+{
+    const real det = (real)exact->det;
+    return hit->face == exact->face && hit->t == (real)exact->t / det && hit->u == (real)exact->u / det &&
+           hit->v == (real)exact->v / det;
+}
+
+static void make(void)
+{
+    uint64_t state = 1;
+    for (int i = 0; i < 3 * FACES; i++) {
+        vertices[i].tag = 'v';
+        for (int k = 0; k < 3; k++) {
+            vertices[i].position[k] = (real)(below(&state, 17) - 8);
+        }
+    }
+    for (uint32_t i = 0; i < FACES; i++) {
+        faces[i] = (face_t){'f', {3 * i, 3 * i + 1, 3 * i + 2}};
+    }
+    for (int i = 0; i < RAYS; i++) {
+        ray_t *ray = &rays[i].ray;
+        *ray = (ray_t){.tmin = (real)below(&state, 2), .tmax = i % 3 ? (real)INFINITY : 2};
+        while (ray->direction[0] == 0 && ray->direction[1] == 0 && ray->direction[2] == 0) {
+            for (int k = 0; k < 3; k++) {
+                ray->origin[k] = (real)(below(&state, 17) - 8);
+                ray->direction[k] = (real)(below(&state, 9) - 4);
+            }
+        }
+    }
+}
+
+static void check_ray(const scene_t *scene, rayhit_t *it, size_t *hits, size_t *ties)
+{
+    static hit_t list[FACES];
+    const size_t count = all(&it->ray);
+    size_t listed;
+    bool is_hit;
+    hit_t hit, next;
+    OK(CALL(closest1)(scene, &it->ray, &hit));
+    OK(CALL(any1)(scene, &it->ray, &is_hit));
+    OK(CALL(all1)(scene, &it->ray, list, sizeof list[0], FACES, &listed));
+    CHECK(listed == count && is_hit == (count > 0));
+    if (count == 0) {
+        CHECK(hit.face == STACKLESS_NO_FACE && isinf(hit.t) && isnan(hit.u) && isnan(hit.v));
+        CHECK(it->hit.face == STACKLESS_NO_FACE && !it->is_hit);
+        return;
+    }
+    CHECK(equals(&hit, &found[0]) && equals(&it->hit, &found[0]) && it->is_hit);
+    next = hit;
+    for (size_t i = 0; i < count; i++) {
+        CHECK(equals(&list[i], &found[i]) && equals(&next, &found[i]));
+        *ties += i > 0 && list[i].t == list[i - 1].t;
+        OK(CALL(next1)(scene, &it->ray, &next, &next));
+    }
+    CHECK(next.face == STACKLESS_NO_FACE);
+    *hits += count;
+}
+
+static void batches(const scene_t *scene, uint32_t flags)
+{
+    const size_t stride = sizeof rays[0];
+    for (int i = 0; i < RAYS; i++) {
+        rays[i].number = i;
+        rays[i].hit.face = 7;
+        rays[i].is_hit = i % 2;
+    }
+    OK(CALL(closest_n)(scene, &rays[0].ray, stride, RAYS, &rays[0].hit, stride, flags));
+    OK(CALL(any_n)(scene, &rays[0].ray, stride, RAYS, &rays[0].is_hit, stride, flags));
+    size_t hits = 0, ties = 0;
+    for (int i = 0; i < RAYS; i++) {
+        CHECK(rays[i].number == i);
+        check_ray(scene, &rays[i], &hits, &ties);
+    }
+    CHECK(hits > 5 * RAYS && ties > RAYS / 10);
+}
+
+static scene_t *soup(uint32_t quality, uint32_t threads)
+{
+    scene_t *scene;
+    const stackless_options options = {.quality = quality, .threads = threads};
+    const char *first_vertex = (const char *)&vertices[0] + offsetof(vertex_t, position);
+    const char *first_face = (const char *)&faces[0] + offsetof(face_t, corners);
+    OK(CALL(scene_new)((const real *)(const void *)first_vertex, sizeof vertices[0], 3 * FACES,
+                       (const uint32_t *)(const void *)first_face, sizeof faces[0], FACES, &options, &scene));
+    return scene;
+}
+
+/* A closed mesh: crossings, points and distances that can be told from the coordinates. */
+static void check_cube(void)
+{
+    scene_t *scene = cube();
+    const real half = (real)0.5;
+    const real points[5][3] = {{half, half, 0}, {1, 0, half}, {3, 0, 0}, {1, 1, 1}, {2, 2, 2}};
+    const uint8_t expected[5] = {STACKLESS_INSIDE, STACKLESS_SURFACE, STACKLESS_OUTSIDE, STACKLESS_SURFACE,
+                                 STACKLESS_OUTSIDE};
+    for (uint32_t rule = 0; rule < 3; rule++) {
+        uint8_t places[5];
+        OK(CALL(locate_n)(scene, points[0], sizeof points[0], 5, rule, places, 1, STACKLESS_PARALLEL));
+        CHECK(memcmp(places, expected, 5) == 0);
+    }
+    near_t nears[5];
+    OK(CALL(nearest_n)(scene, points[0], sizeof points[0], 5, 1, nears, sizeof nears[0], STACKLESS_SERIAL));
+    CHECK(nears[0].distance == half && nears[0].point[0] == 1 && nears[0].face == 2);
+    CHECK(nears[1].distance == 0 && nears[3].distance == 0);
+    CHECK(nears[2].face == STACKLESS_NO_FACE && isinf(nears[2].distance) && isnan(nears[2].point[0]));
+    /* Through a corner, an edge, and the diagonal of a side, along which two faces meet. */
+    const ray_t through[3] = {{{0, 0, 0}, 0, {1, 1, 1}, (real)INFINITY}, {{3, 1, 0}, 0, {-1, 0, 0}, (real)INFINITY},
+                              {{0, 0, 0}, 0, {0, 0, 1}, (real)INFINITY}};
+    uint32_t crossings[3];
+    OK(CALL(crossings_n)(scene, through, sizeof through[0], 3, crossings, sizeof crossings[0], STACKLESS_SERIAL));
+    CHECK(crossings[0] == 1 && crossings[1] % 2 == 0 && crossings[2] == 1);
+    size_t vertex_count, face_count;
+    real lower[3], upper[3], moved[8][3];
+    OK(CALL(scene_counts)(scene, &vertex_count, &face_count));
+    CHECK(vertex_count == 8 && face_count == 12);
+    for (int i = 0; i < 8; i++) {
+        for (int k = 0; k < 3; k++) {
+            moved[i][k] = 2 * CUBE[i][k] + (real)k;
+        }
+    }
+    OK(CALL(scene_refit)(scene, moved[0], sizeof moved[0], 8));
+    OK(CALL(scene_bounds)(scene, lower, upper));
+    CHECK(lower[0] == -2 && lower[2] == 0 && upper[0] == 2 && upper[2] == 4);
+    hit_t hit;
+    OK(CALL(closest1)(scene, &through[1], &hit));
+    CHECK(hit.t == 1);
+    CHECK(CALL(scene_free)(scene) == STACKLESS_ERROR_NONE);
+}
+
+static void check_saved(const scene_t *scene, const char *file)
+{
+    scene_t *loaded, *read;
+    size_t size, again;
+    OK(CALL(scene_save)(scene, file));
+    OK(CALL(scene_load)(file, 1, &loaded));
+    OK(CALL(scene_to_bytes)(scene, NULL, 0, &size));
+    uint8_t *bytes = malloc(size);
+    OK(CALL(scene_to_bytes)(loaded, bytes, size, &again));
+    CHECK(again == size);
+    OK(CALL(scene_from_bytes)(bytes, size, 0, &read));
+    free(bytes);
+    batches(loaded, STACKLESS_SERIAL);
+    batches(read, STACKLESS_PARALLEL);
+    OK(CALL(scene_free)(loaded));
+    OK(CALL(scene_free)(read));
+}
+
+/* Each thread its own hits, all the same scene. */
+static void *query(void *argument)
+{
+    const scene_t *scene = argument;
+    hit_t *hits = malloc(RAYS * sizeof *hits);
+    OK(CALL(closest_n)(scene, &rays[0].ray, sizeof rays[0], RAYS, hits, sizeof *hits, STACKLESS_SERIAL));
+    for (int i = 0; i < RAYS; i++) {
+        CHECK(memcmp(&hits[i].face, &rays[i].hit.face, sizeof hits[i].face) == 0);
+    }
+    free(hits);
+    scene_t *other = cube();
+    OK(CALL(scene_free)(other));
+    return NULL;
+}
+
+static void check_threads(scene_t *scene)
+{
+    pthread_t threads[THREADS];
+    for (int i = 0; i < THREADS; i++) {
+        CHECK(pthread_create(&threads[i], NULL, query, scene) == 0);
+    }
+    for (int i = 0; i < THREADS; i++) {
+        CHECK(pthread_join(threads[i], NULL) == 0);
+    }
+}
+
+int main(int count, char **arguments)
+{
+    CHECK(count == 2);
+    make();
+    for (uint32_t quality = 0; quality < 4; quality++) {
+        scene_t *scene = soup(quality, quality);
+        batches(scene, quality % 2 ? STACKLESS_PARALLEL : STACKLESS_SERIAL);
+        if (quality == STACKLESS_QUALITY_STANDARD) {
+            check_saved(scene, arguments[1]);
+            check_threads(scene);
+        }
+        OK(CALL(scene_free)(scene));
+    }
+    check_cube();
+    return 0;
+}
