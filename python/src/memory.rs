@@ -29,6 +29,6 @@ pub(crate) fn check_shared(bytes: usize, threads: usize) -> PyResult<()> {
     check(bytes.saturating_add(threads.saturating_mul(bytes.min(64 << 20))))
 }
 
-fn lacking(bytes: usize) -> PyErr {
+pub(crate) fn lacking(bytes: usize) -> PyErr {
     PyMemoryError::new_err(format!("no memory for {bytes} bytes"))
 }

@@ -6,14 +6,16 @@ use std::sync::{Arc, OnceLock};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{Builder, Stored};
+use stackless_bvh::bvh::{Builder, Stored, WideBvh};
 use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::trace::{Boundary, Rule};
+use stackless_scene::{SavedError, scene_from_bytes, scene_to_bytes};
 
 use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
 use crate::batch::in_background;
 use crate::errors::refused;
-use crate::memory::{self, room};
+use crate::memory::{self, lacking, room};
 use crate::space::{Double, Single, Space};
 use crate::threads::Threads;
 use crate::{file, inside, near, queries};
@@ -294,19 +296,30 @@ impl Scene {
 
 impl Either {
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        Ok(if file::real_bytes(bytes)? == 4 {
-            Self::Single(Box::new(Held::from_bytes(bytes)?))
-        } else {
-            Self::Double(Box::new(Held::from_bytes(bytes)?))
-        })
+        // More than all that is made of them.
+        memory::check(bytes.len().saturating_mul(3))?;
+        let found = match scene_from_bytes(bytes) {
+            Err(SavedError::Precision { .. }) => {
+                scene_from_bytes(bytes).map(|(mesh, bvh)| Self::Double(Box::new(Held::new(mesh, bvh))))
+            }
+            single => single.map(|(mesh, bvh)| Self::Single(Box::new(Held::new(mesh, bvh)))),
+        };
+        found.map_err(refused)
     }
 
     fn to_bytes(&self) -> PyResult<Vec<u8>> {
         match self {
-            Self::Single(held) => file::to_bytes(&held.mesh, &*held.bvh),
-            Self::Double(held) => file::to_bytes(&held.mesh, &*held.bvh),
+            Self::Single(held) => saved(&held.mesh, &held.bvh),
+            Self::Double(held) => saved(&held.mesh, &held.bvh),
         }
     }
+}
+
+fn saved<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>) -> PyResult<Vec<u8>> {
+    // The bytes of the hierarchy are made before they are appended.
+    let bytes = size_of_val(mesh.vertices()) + size_of_val(mesh.triangles()) + bvh.bytes();
+    memory::check(bytes + bvh.bytes())?;
+    scene_to_bytes(mesh, bvh).map_err(|_| lacking(bytes))
 }
 
 impl<S: Space<Vector: Stored> + 'static> Held<S> {
@@ -325,11 +338,6 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
             let bvh = S::build(&mesh, builder, tell)?;
             Ok(Self::new(mesh, bvh))
         })
-    }
-
-    fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        let (mesh, bvh) = file::from_bytes(bytes)?;
-        Ok(Self::new(mesh, bvh))
     }
 
     /// In three steps, each done or not: after an error or Ctrl-C the vertices are all old or all new.

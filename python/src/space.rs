@@ -50,11 +50,8 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     fn optimize(&mut self) -> PyResult<()>;
-    /// Memory, in bytes, and more than [`to_bytes`](Self::to_bytes) gives.
+    /// Memory, in bytes.
     fn bytes(&self) -> usize;
-    fn to_bytes(&self) -> Vec<u8>;
-    /// The hierarchy that bytes are, if it is one over this mesh.
-    fn from_bytes(bytes: &[u8], mesh: &Mesh<Self::Vector>) -> PyResult<Self>;
 
     fn closest(&self, rays: &[Ray<Self::Vector>]) -> Answers<Option<Hit<Self::Real>>>;
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
@@ -120,16 +117,6 @@ where
 
     fn bytes(&self) -> usize {
         self.bytes()
-    }
-
-    fn to_bytes(&self) -> Vec<u8> {
-        self.to_bytes()
-    }
-
-    fn from_bytes(bytes: &[u8], mesh: &Mesh<V>) -> PyResult<Self> {
-        let bvh = Self::from_bytes(bytes).map_err(refused)?;
-        bvh.validate(mesh).map_err(refused)?;
-        Ok(bvh)
     }
 
     fn closest(&self, rays: &[Ray<V>]) -> Answers<Option<Hit<V::Real>>> {
