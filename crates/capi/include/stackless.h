@@ -289,6 +289,17 @@ stackless_error stackless_locate_n_d(const stackless_scene_d *scene,
                                      size_t location_stride,
                                      uint32_t flags);
 
+// Measures how far each point, three numbers, is from the mesh: the exact distance, rounded once, and negative inside
+// by a rule `STACKLESS_RULE_...`.
+stackless_error stackless_signed_distances_n_d(const stackless_scene_d *scene,
+                                               const double *points,
+                                               size_t point_stride,
+                                               size_t count,
+                                               uint32_t rule,
+                                               double *distances,
+                                               size_t distance_stride,
+                                               uint32_t flags);
+
 // Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
 // be infinite. Of equally near faces it is the one of the least index.
 stackless_error stackless_nearest_n_d(const stackless_scene_d *scene,
@@ -409,6 +420,17 @@ stackless_error stackless_locate_n_f(const stackless_scene_f *scene,
                                      uint8_t *locations,
                                      size_t location_stride,
                                      uint32_t flags);
+
+// Measures how far each point, three numbers, is from the mesh: the exact distance, rounded once, and negative inside
+// by a rule `STACKLESS_RULE_...`.
+stackless_error stackless_signed_distances_n_f(const stackless_scene_f *scene,
+                                               const float *points,
+                                               size_t point_stride,
+                                               size_t count,
+                                               uint32_t rule,
+                                               float *distances,
+                                               size_t distance_stride,
+                                               uint32_t flags);
 
 // Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
 // be infinite. Of equally near faces it is the one of the least index.

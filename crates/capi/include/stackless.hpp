@@ -76,6 +76,7 @@ template <class Real> struct functions;
         static constexpr auto any_n = stackless_any_n_##p;                                                             \
         static constexpr auto crossings_n = stackless_crossings_n_##p;                                                 \
         static constexpr auto locate_n = stackless_locate_n_##p;                                                       \
+        static constexpr auto signed_distances_n = stackless_signed_distances_n_##p;                                   \
         static constexpr auto nearest_n = stackless_nearest_n_##p;                                                     \
     };
 STACKLESS_FUNCTIONS(float, f)
@@ -223,6 +224,16 @@ public:
             places[i] = static_cast<location>(found[i]);
         }
         return places;
+    }
+
+    // Negative inside.
+    template <class Points>
+    std::vector<Real> signed_distances_n(const Points& points, rule r = rule::parity, threads by = threads::one) const
+    {
+        std::vector<Real> distances(std::size(points));
+        check(call::signed_distances_n(get(), numbers<Real>(points), stride(points), distances.size(),
+                                       static_cast<std::uint32_t>(r), distances.data(), sizeof(Real), flags(by)));
+        return distances;
     }
 
     // Without a point within the radius the face is STACKLESS_NO_FACE.

@@ -330,6 +330,27 @@ pub unsafe extern "C" fn stackless_locate_n_d(
     })
 }
 
+/// Measures how far each point, three numbers, is from the mesh: the exact distance, rounded once, and negative inside
+/// by a rule `STACKLESS_RULE_...`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stackless_signed_distances_n_d(
+    scene: *const Scene<DVec3>,
+    points: *const f64,
+    point_stride: usize,
+    count: usize,
+    rule: u32,
+    distances: *mut f64,
+    distance_stride: usize,
+    flags: u32,
+) -> Error {
+    // SAFETY: the header requires what these functions do.
+    answer(|| unsafe {
+        let points = In::new("points", points.cast(), point_stride, count)?;
+        let distances = Out::new("distances", distances, distance_stride, count)?;
+        shared(scene, "scene")?.signed_distances_n(&points, rule, distances, flags)
+    })
+}
+
 /// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
 /// be infinite. Of equally near faces it is the one of the least index.
 #[unsafe(no_mangle)]

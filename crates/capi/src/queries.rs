@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
+use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::{Ball, Ray as CheckedRay, Real as _, check_environment};
-use stackless_bvh::trace::{Hit as Found, Location, MeshQueries as _, RayQueries as _, Rule, Solid};
+use stackless_bvh::geom::{Ball, Ray as CheckedRay, RayError, Real as _, check_environment};
+use stackless_bvh::trace::{Hit as Found, Location, MeshQueries as _, RayQueries as _, Rule, Solid, Tracer};
 
 use crate::error::Fault;
 use crate::memory::{In, Out};
@@ -65,6 +66,34 @@ impl<V: Precision> Scene<V> {
         locations: Out<'_, u8>,
         flags: u32,
     ) -> Result<(), Fault> {
+        self.of_solid(points, rule, locations, flags, |solid, point| {
+            Ok(match solid.locate(point)? {
+                Location::Inside => STACKLESS_INSIDE,
+                Location::Outside => STACKLESS_OUTSIDE,
+                Location::Surface => STACKLESS_SURFACE,
+            })
+        })
+    }
+
+    pub(crate) fn signed_distances_n(
+        &self,
+        points: &In<'_, [Real<V>; 3]>,
+        rule: u32,
+        distances: Out<'_, Real<V>>,
+        flags: u32,
+    ) -> Result<(), Fault> {
+        self.of_solid(points, rule, distances, flags, |solid, point| solid.signed_distance(point))
+    }
+
+    /// Asks the solid that the mesh bounds about points.
+    fn of_solid<A: Copy + Send>(
+        &self,
+        points: &In<'_, [Real<V>; 3]>,
+        rule: u32,
+        answers: Out<'_, A>,
+        flags: u32,
+        ask: impl Fn(&Solid<'_, Tracer<&WideBvh<8, V>, V>, V>, V) -> Result<A, RayError> + Sync,
+    ) -> Result<(), Fault> {
         let rule = match rule {
             STACKLESS_RULE_PARITY => Rule::Parity,
             STACKLESS_RULE_NONZERO => Rule::Nonzero,
@@ -74,17 +103,12 @@ impl<V: Precision> Scene<V> {
         check_environment()?;
         let tracer = self.tracer();
         let solid = Solid::new(&tracer, self.mesh(), self.boundary(), rule)?;
-        self.batch(locations, flags, |range| {
-            let locate = |index| {
-                let place = solid.locate(V::from_components(points.get(index)));
-                let place = place.map_err(|error| Fault::of_point(error, points.element(index)))?;
-                Ok(match place {
-                    Location::Inside => STACKLESS_INSIDE,
-                    Location::Outside => STACKLESS_OUTSIDE,
-                    Location::Surface => STACKLESS_SURFACE,
-                })
+        self.batch(answers, flags, |range| {
+            let answer = |index| {
+                let answer = ask(&solid, V::from_components(points.get(index)));
+                answer.map_err(|error| Fault::of_point(error, points.element(index)))
             };
-            range.map(locate).collect()
+            range.map(answer).collect()
         })
     }
 

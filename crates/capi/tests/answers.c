@@ -171,6 +171,9 @@ static void check_cube(void)
         uint8_t places[5];
         OK(CALL(locate_n)(scene, points[0], sizeof points[0], 5, rule, places, 1, STACKLESS_PARALLEL));
         CHECK(memcmp(places, expected, 5) == 0);
+        real distances[5];
+        OK(CALL(signed_distances_n)(scene, points[0], sizeof points[0], 4, rule, distances, sizeof(real), 0));
+        CHECK(distances[0] == -half && distances[1] == 0 && distances[2] == 2 && distances[3] == 0);
     }
     near_t nears[5];
     OK(CALL(nearest_n)(scene, points[0], sizeof points[0], 5, 1, nears, sizeof nears[0], STACKLESS_SERIAL));

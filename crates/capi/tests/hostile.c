@@ -120,11 +120,17 @@ static void batches(const scene_t *scene)
     real points[4][3] = {{0}};
     INVALID("rule: 3", CALL(locate_n)(scene, points[0], VERTEX, 4, 3, places, 1, 0));
     INVALID("stride of points", CALL(locate_n)(scene, points[0], VERTEX - 1, 4, 0, places, 1, 0));
+    real distances[4];
+    INVALID("rule: 9", CALL(signed_distances_n)(scene, points[0], VERTEX, 4, 9, distances, sizeof(real), 0));
+    INVALID("stride of distances: 1", CALL(signed_distances_n)(scene, points[0], VERTEX, 4, 0, distances, 1, 0));
+    INVALID("distances: null", CALL(signed_distances_n)(scene, points[0], VERTEX, 4, 0, NULL, sizeof(real), 0));
     INVALID("radius: -1", CALL(nearest_n)(scene, points[0], VERTEX, 4, -1, nears, sizeof nears[0], 0));
     INVALID("radius: NaN",
             CALL(nearest_n)(scene, points[0], VERTEX, 4, (real)NAN, nears, sizeof nears[0], 0));
     points[2][1] = (real)NAN;
     INVALID("points[2]: [0, NaN, 0]", CALL(locate_n)(scene, points[0], VERTEX, 4, 0, places, 1, 0));
+    INVALID("points[2]: [0, NaN, 0]",
+            CALL(signed_distances_n)(scene, points[0], VERTEX, 4, 0, distances, sizeof(real), 0));
     INVALID("points[2]: [0, NaN, 0]",
             CALL(nearest_n)(scene, points[0], VERTEX, 4, 1, nears, sizeof nears[0], 0));
 }
