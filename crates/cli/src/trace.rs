@@ -44,7 +44,7 @@ pub(crate) struct Args {
     rays: PathBuf,
     /// File for the hits (.csv, .jsonl, .npy), prim,t,u,v each; written whole or not at all. `-` is the standard
     /// output.
-    #[arg(short, long, value_name = "FILE", value_parser = places::file)]
+    #[arg(short, long, value_name = "FILE", value_parser = places::file())]
     output: Output,
     /// How rays and hits stand in what has no such extension.
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
