@@ -63,6 +63,9 @@ pub(crate) struct Args {
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
     any: bool,
+    /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
+    #[arg(long)]
+    faces: bool,
     /// Round scene and rays to single precision, and answer in it, in little more than half of the memory. A note says how
     /// many numbers are rounded and by how much. [default: double precision]
     #[arg(long)]
@@ -112,7 +115,9 @@ impl Args {
             output::warn(&note);
         }
         let Traced { method, hits } = trace(self, &scene, &rays.rays)?;
-        let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
+        let faces: &[u32] = if self.faces { &scene.faces } else { &[] };
+        let number = |prim| faces.get(prim as usize).copied().unwrap_or(prim);
+        let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (number(prim), t, u, v)));
         write_file(&self.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
         let counts = [count(hits.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
         let precision = <V::Real as Float>::PRECISION;

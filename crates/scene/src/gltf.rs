@@ -74,34 +74,9 @@ impl<V: Position> Scene<'_, V> {
         let Some(mesh) = node.mesh else { return Ok(()) };
         let mesh = entry(&self.store.document.meshes, mesh, "mesh")?;
         self.draft.part(node.name.clone().unwrap_or_else(|| format!("node {index}")));
-        for map in self.places(node, to_world)? {
-            for primitive in &mesh.primitives {
-                self.primitive(index, primitive, &map)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Where the mesh of a node is.
-    fn places(&self, node: &Node, to_world: &Map) -> Result<Vec<Map>, Fault> {
-        let Some(instancing) = &node.extensions.instancing else { return Ok(vec![*to_world]) };
-        let read = |accessor: Option<usize>, what| accessor.map(|index| self.store.elements(index, what)).transpose();
-        let of = &instancing.attributes;
-        let (translations, scales) = (read(of.translation, Use::Vectors)?, read(of.scale, Use::Vectors)?);
-        let rotations = read(of.rotation, Use::Rotations)?;
-        let counts: Vec<_> = [&translations, &rotations, &scales].into_iter().flatten().map(|all| all.count).collect();
-        let Some(&count) = counts.first() else { return Ok(vec![*to_world]) };
-        if counts.iter().any(|&other| other != count) || count > MOST {
-            return Err(Fault::unexpected(
-                format!("instances with {counts:?} places"),
-                format!("as many of each, up to {MOST}"),
-            ));
-        }
-        let [mut translations, mut scales] =
-            [&translations, &scales].map(|all| all.as_ref().into_iter().flat_map(Elements::numbers::<3>));
-        let mut rotations = rotations.as_ref().into_iter().flat_map(Elements::numbers::<4>);
-        let mut next = || Map::of(translations.next().as_ref(), rotations.next().as_ref(), scales.next().as_ref());
-        Ok((0..count).map(|_| to_world.after(&next())).collect())
+        places(self.store, node, to_world, |map| {
+            mesh.primitives.iter().try_for_each(|primitive| self.primitive(index, primitive, map))
+        })
     }
 
     fn primitive(&mut self, node: usize, primitive: &Primitive, to_world: &Map) -> Result<(), Fault> {
@@ -169,6 +144,32 @@ impl<V: Position> Scene<'_, V> {
         self.draft.vertex(position);
         Ok(())
     }
+}
+
+/// Visits the places of a node's mesh: one, or those of its instances.
+fn places(
+    store: Store<'_>,
+    node: &Node,
+    to_world: &Map,
+    mut visit: impl FnMut(&Map) -> Result<(), Fault>,
+) -> Result<(), Fault> {
+    let Some(instancing) = &node.extensions.instancing else { return visit(to_world) };
+    let read = |accessor: Option<usize>, what| accessor.map(|index| store.elements(index, what)).transpose();
+    let of = &instancing.attributes;
+    let (translations, scales) = (read(of.translation, Use::Vectors)?, read(of.scale, Use::Vectors)?);
+    let rotations = read(of.rotation, Use::Rotations)?;
+    let mut counts = [&translations, &rotations, &scales].into_iter().flatten().map(|all| all.count);
+    let Some(count) = counts.next() else { return visit(to_world) };
+    if let Some(other) = counts.find(|&other| other != count) {
+        return Err(Fault::unexpected(format!("instances with {count} and {other} places"), "as many of each"));
+    }
+    let [mut translations, mut scales] =
+        [&translations, &scales].map(|all| all.as_ref().into_iter().flat_map(Elements::numbers::<3>));
+    let mut rotations = rotations.as_ref().into_iter().flat_map(Elements::numbers::<4>);
+    (0..count).try_for_each(|_| {
+        let map = Map::of(translations.next().as_ref(), rotations.next().as_ref(), scales.next().as_ref());
+        visit(&to_world.after(&map))
+    })
 }
 
 #[cfg(test)]

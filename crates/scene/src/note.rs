@@ -56,7 +56,11 @@ impl fmt::Display for Note {
             NoteKind::OtherElement => ("element of another kind", "elements of other kinds", "skipped"),
             NoteKind::OtherPrimitive => ("primitive of points or lines", "primitives of points or lines", "skipped"),
             NoteKind::FewCorners => ("face with fewer than 3 corners", "faces with fewer than 3 corners", "skipped"),
-            NoteKind::Crossing => ("polygon that crosses itself", "polygons that cross themselves", "cut as a fan"),
+            NoteKind::Crossing => (
+                "polygon that crosses itself or has too many corners",
+                "polygons that cross themselves or have too many corners",
+                "cut as a fan",
+            ),
             NoteKind::UnusedVertex => (
                 "vertex that no face uses and that is not finite",
                 "vertices that no face uses and that are not finite",

@@ -126,3 +126,6 @@ fn turn([a, b, c]: [DVec2; 3]) -> f64 {
 fn turn_of(points: &[DVec2]) -> f64 {
     points.windows(2).map(|pair| turn([points[0], pair[0], pair[1]])).sum()
 }
+
+#[cfg(test)]
+mod tests;

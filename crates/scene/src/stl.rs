@@ -1,7 +1,8 @@
 //! STL, as text and binary (3D Systems, *Stereolithography Interface Specification*, 1989).
 
-use std::collections::HashMap;
 use std::str::SplitAsciiWhitespace;
+
+use foldhash::{HashMap, HashMapExt as _};
 
 use super::Loaded;
 use super::draft::Draft;
@@ -56,7 +57,9 @@ fn read_binary<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<()
     let start = &bytes[..bytes.len().min(HEADER)];
     // What is printable has no number of triangles, but for one that is far beyond any file.
     let Some(count) = count.filter(|_| start.contains(&0) || !start.is_ascii()) else {
-        let found = if bytes.is_empty() { "an empty file".into() } else { quote(first_word(bytes)) };
+        let is_text = bytes.is_ascii() && !bytes.contains(&0);
+        let words = String::from_utf8_lossy(if is_text { bytes } else { &[] });
+        let found = words.split_ascii_whitespace().next().map_or(format!("{} bytes", bytes.len()), quote);
         let expected = "solid, or 80 bytes and the number of triangles";
         return Err(Fault::unexpected(found, expected).at(Place::Line(1)));
     };
@@ -154,12 +157,6 @@ impl<V: Position> Corners<V> {
             self.draft.end_face(String::new);
         }
     }
-}
-
-/// The first word of a file, for a message.
-fn first_word(bytes: &[u8]) -> &str {
-    let word = bytes.trim_ascii_start().split(u8::is_ascii_whitespace).next().unwrap_or_default();
-    str::from_utf8(word).unwrap_or("bytes that are no text")
 }
 
 #[cfg(test)]

@@ -154,7 +154,8 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     }
     let length = number(8).unwrap_or(0);
     if length != bytes.len() {
-        return Err(Fault::unexpected(format!("{} bytes where the header says {length}", bytes.len()), "as many"));
+        let expected = format!("{length}, as its header says");
+        return Err(Fault::unexpected(format!("{} bytes", bytes.len()), expected));
     }
     let chunk = |at: usize| {
         let end = at.checked_add(8)?.checked_add(number(at)?)?;
@@ -168,7 +169,7 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     Ok((text, binary.map(|(_, data, _)| data)))
 }
 
-/// Begins and ends of the names of extensions that say nothing of where triangles are.
+/// Parts of the names of extensions that are read, or that say nothing of where triangles are.
 const HARMLESS: [&str; 14] = [
     "_materials_",
     "_texture_",

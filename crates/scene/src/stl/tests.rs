@@ -40,7 +40,7 @@ fn what_is_cut_or_wrong_is_refused_where_it_is() {
         }
     }
     let refusal = |bytes: &[u8]| read_stl::<Vec3>(bytes).unwrap_err().to_string();
-    assert_eq!(refusal(b""), "line 1: found an empty file, expected solid, or 80 bytes and the number of triangles");
+    assert_eq!(refusal(b""), "line 1: found 0 bytes, expected solid, or 80 bytes and the number of triangles");
     let mut many = binary("x");
     many[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
     assert_eq!(refusal(&many), "triangle 2 (of 4294967295): the file ends, expected more triangles");
