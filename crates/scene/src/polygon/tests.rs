@@ -62,7 +62,7 @@ fn large_polygons_end() {
     let mut number = || random.below(1 << 20) as f64;
     let wild: Vec<_> = (0..MOST_CORNERS).map(|_| DVec3::new(number(), number(), 0.0)).collect();
     assert_eq!(cut_one(&wild).1, 1);
-    let teeth = |i: usize| DVec3::new(i as f64, if i % 2 == 0 { 0.0 } else { 9.0 }, 0.0);
+    let teeth = |i: usize| DVec3::new(i as f64, if i.is_multiple_of(2) { 0.0 } else { 9.0 }, 0.0);
     let mut comb: Vec<_> = (0..MOST_CORNERS - 1).map(teeth).collect();
     comb.push(DVec3::new(0.0, -9e9, 0.0));
     assert_eq!(cut_one(&comb).1, 0);
