@@ -56,9 +56,8 @@ pub(crate) fn file_as(kind: &'static str) -> impl TypedValueParser<Value = Outpu
 
 /// The path of a folder to write to.
 pub(crate) fn folder() -> impl TypedValueParser<Value = Output> {
-    OsStringValueParser::new().try_map(|name| match name.is_empty() {
-        true => Err("expected the name of a folder"),
-        false => Ok(Output::Folder(name.into())),
+    OsStringValueParser::new().try_map(|name| {
+        if name.is_empty() { Err("expected the name of a folder") } else { Ok(Output::Folder(name.into())) }
     })
 }
 

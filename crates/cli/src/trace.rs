@@ -36,6 +36,7 @@ use crate::places::{self, Output};
     stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy --single\n  \
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
+#[expect(clippy::struct_excessive_bools, reason = "options that are given or not")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
