@@ -32,6 +32,12 @@ build() {
 # What a target does in a smoke run, beyond the inputs that it starts with, and what it must have done by the end of the time.
 export wanted=3000 least=200
 
+# What a target starts with: also the small files of the readers' tests.
+folders() {
+    echo {corpus,seeds,regressions}/"$1"
+    case $1 in ply | obj | stl | gltf) echo ../crates/scene/tests/files ;; esac
+}
+
 # Inputs are cut in the target, so longer ones are of no use.
 fuzz() {
     local target=$1 seconds=$2
@@ -44,9 +50,10 @@ fuzz() {
     local timeout=30
     [[ $sanitizer == none ]] || timeout=60
     local began=$SECONDS cpu status=0 TIMEFORMAT='%U %S'
+    # shellcheck disable=SC2046
     cpu=$({ time "$binaries/$target" "-max_total_time=$seconds" "-timeout=$timeout" -rss_limit_mb=2048 -max_len=4096 \
         "-artifact_prefix=artifacts/$target/" -print_final_stats=1 "${dictionary[@]}" "$@" \
-        "corpus/$target" "seeds/$target" "regressions/$target" > "artifacts/$target.log" 2>&1; } 2>&1) || status=$?
+        $(folders "$target") > "artifacts/$target.log" 2>&1; } 2>&1) || status=$?
     record "$target" "$((SECONDS - began))" "$cpu" "$status"
     ((status == 0)) || {
         echo "$target: failed"
@@ -98,7 +105,8 @@ record() {
 smoke() {
     local target=$1 seconds=$2 inputs more
     mkdir -p "corpus/$target" "regressions/$target"
-    inputs=$(find {corpus,seeds,regressions}/"$target" -type f | wc -l)
+    # shellcheck disable=SC2046
+    inputs=$(find $(folders "$target") -type f | wc -l)
     fuzz "$target" "$seconds" "-runs=$((inputs + wanted))"
     more=$(($(executions "$target") - inputs))
     if ((more < least)); then
@@ -110,7 +118,7 @@ smoke() {
 # each DO PROCESSES SECONDS: smoke or fuzz for every target.
 each() {
     export binaries sanitizer
-    export -f fuzz smoke record executions
+    export -f folders fuzz smoke record executions
     targets | xargs -P "$2" -I{} bash -c 'set -euo pipefail; "$@"' - "$1" {} "$3"
 }
 

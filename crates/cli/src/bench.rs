@@ -85,7 +85,7 @@ pub(crate) struct Args {
     #[arg(long)]
     peers: bool,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
 }
 

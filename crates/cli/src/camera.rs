@@ -190,7 +190,7 @@ mod tests {
         let views = named("# inside\n\n a: 0,0,5,0,0,0\nb : 0,0,5,0,0,0,90\n").unwrap();
         let place = Place { view: Some(Given::Named(views)) };
         let mesh = procedural::soup(1, 5);
-        let of = |name: &str| place.of(&Scene { name: name.to_owned(), mesh: mesh.clone() });
+        let of = |name: &str| place.of(&Scene { name: name.to_owned(), mesh: mesh.clone(), faces: Vec::new() });
         assert_eq!((of("a").degrees, of("b").degrees), (50.0, 90.0));
         assert_eq!(of("c"), View::of(&mesh));
         assert_eq!(named("\na 0,0,5").unwrap_err(), "line 2: expected NAME: NUMBERS");

@@ -62,7 +62,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
     shard: Shard,
     /// Write the counts to this file.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
     /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "leaves", "shard"])]

@@ -27,16 +27,16 @@ pub(crate) struct Args {
     #[arg(long)]
     filter: Vec<String>,
     /// Write what came of each case to this file, as JSON.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
     /// The same as XML that build servers read (`JUnit`).
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     junit: Option<Output>,
     /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`; `*` and `?` as in `--filter`.
     #[arg(long)]
     waivers: Option<PathBuf>,
     /// Write the waivers with which this run succeeds. Those of `--waivers` that are of other cases are kept.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     write_waivers: Option<Output>,
     /// Seconds to wait for an answer.
     #[arg(long, default_value_t = 10.0, value_parser = seconds)]

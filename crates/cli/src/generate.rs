@@ -20,7 +20,7 @@ pub(crate) struct Args {
     what: What,
     /// The folder of the pages, which is made where it is missing: one like `share/man/man1`. Completions go to the
     /// standard output.
-    #[arg(short, long, value_name = "DIR", required_if_eq("what", "man"), value_parser = places::folder)]
+    #[arg(short, long, value_name = "DIR", required_if_eq("what", "man"), value_parser = places::folder())]
     output: Option<Output>,
 }
 

@@ -19,6 +19,8 @@ use crate::output;
 pub(crate) struct Scene<V: Position = Vec3> {
     pub(crate) name: String,
     pub(crate) mesh: Mesh<V>,
+    /// The face of the file that each triangle is cut from; none of a scene that is made.
+    pub(crate) faces: Vec<u32>,
 }
 
 /// Why there is no such scene.
@@ -47,7 +49,7 @@ impl<V: Position> Scene<V> {
     pub(crate) fn load(path: &Path) -> Result<Self, LoadError> {
         let name = path.to_string_lossy();
         if let Some(mesh) = made(&name) {
-            return Ok(Self { name: name.into_owned(), mesh });
+            return Ok(Self { name: name.into_owned(), mesh, faces: Vec::new() });
         }
         let stem = path.file_stem().map_or_else(|| name.clone(), |stem| stem.to_string_lossy());
         let loaded = stackless_scene::load(path).map_err(|error| match error {
@@ -57,7 +59,7 @@ impl<V: Position> Scene<V> {
         if let Some(note) = loaded.note(path) {
             output::warn(&note);
         }
-        Ok(Self { name: stem.into_owned(), mesh: loaded.mesh })
+        Ok(Self { name: stem.into_owned(), mesh: loaded.mesh, faces: loaded.faces })
     }
 
     /// How many triangles have no area.

@@ -38,7 +38,7 @@ pub(crate) struct Args {
     #[arg(required = true)]
     records: Vec<PathBuf>,
     /// Write the sum to this file.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
     /// Draw the cases and the bound on the rate of errors over the processor time of the parts, as SVG.
     #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]

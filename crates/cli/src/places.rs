@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use clap::ArgMatches;
+use clap::builder::{OsStringValueParser, TypedValueParser};
 use stackless_scene::{check_writable, resolve};
 
 use crate::output;
@@ -29,29 +30,35 @@ impl Deref for Output {
 
 /// The path of a file to write. `-` is the standard output, which then is the file's alone: what else is said goes to
 /// the standard error.
-pub(crate) fn file(text: &str) -> Result<Output, String> {
-    if text.is_empty() {
+pub(crate) fn file() -> impl TypedValueParser<Value = Output> {
+    OsStringValueParser::new().try_map(|name| named(name.into()))
+}
+
+fn named(path: PathBuf) -> Result<Output, String> {
+    if path.as_os_str().is_empty() {
         return Err("expected a file name, or - for the standard output".to_owned());
     }
-    if text == "-" {
+    if path.as_os_str() == "-" {
         output::leave_to_file();
     }
-    Ok(Output::File(text.into()))
+    Ok(Output::File(path))
 }
 
 /// The same for a file of which we write one kind only: a name that promises another is refused.
-pub(crate) fn file_as(kind: &'static str) -> impl Fn(&str) -> Result<Output, String> + Clone {
-    move |text| match Path::new(text).extension() {
+pub(crate) fn file_as(kind: &'static str) -> impl TypedValueParser<Value = Output> {
+    OsStringValueParser::new().try_map(move |name| match Path::new(&name).extension() {
         Some(other) if !other.eq_ignore_ascii_case(kind) => {
             Err(format!("the extension says .{}, expected .{kind}: no other kind is written", other.display()))
         }
-        _ => file(text),
-    }
+        _ => named(name.into()),
+    })
 }
 
 /// The path of a folder to write to.
-pub(crate) fn folder(text: &str) -> Result<Output, String> {
-    if text.is_empty() { Err("expected the name of a folder".to_owned()) } else { Ok(Output::Folder(text.into())) }
+pub(crate) fn folder() -> impl TypedValueParser<Value = Output> {
+    OsStringValueParser::new().try_map(|name| {
+        if name.is_empty() { Err("expected the name of a folder") } else { Ok(Output::Folder(name.into())) }
+    })
 }
 
 /// Refuses a command line that writes to one place twice, that overwrites what it reads, or that names a place where

@@ -48,7 +48,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
     /// Draw the backtracking distances into this file.
     #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]

@@ -38,7 +38,7 @@ enum What {
         #[command(flatten)]
         chosen: Chosen,
         /// The folder; `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION` are written there.
-        #[arg(short, long, value_name = "DIR", value_parser = places::folder)]
+        #[arg(short, long, value_name = "DIR", value_parser = places::folder())]
         output: Output,
     },
     /// Print cases, one JSON object a line.

@@ -36,6 +36,7 @@ use crate::places::{self, Output};
     stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy --single\n  \
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
+#[expect(clippy::struct_excessive_bools, reason = "options that are given or not")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
@@ -44,7 +45,7 @@ pub(crate) struct Args {
     rays: PathBuf,
     /// File for the hits (.csv, .jsonl, .npy), prim,t,u,v each; written whole or not at all. `-` is the standard
     /// output.
-    #[arg(short, long, value_name = "FILE", value_parser = places::file)]
+    #[arg(short, long, value_name = "FILE", value_parser = places::file())]
     output: Output,
     /// How rays and hits stand in what has no such extension.
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
@@ -63,6 +64,9 @@ pub(crate) struct Args {
     /// End at the first hit that is met, instead of finding the closest.
     #[arg(long)]
     any: bool,
+    /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
+    #[arg(long)]
+    faces: bool,
     /// Round scene and rays to single precision, and answer in it, in little more than half of the memory. A note says how
     /// many numbers are rounded and by how much. [default: double precision]
     #[arg(long)]
@@ -112,7 +116,9 @@ impl Args {
             output::warn(&note);
         }
         let Traced { method, hits } = trace(self, &scene, &rays.rays)?;
-        let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (prim, t, u, v)));
+        let faces: &[u32] = if self.faces { &scene.faces } else { &[] };
+        let number = |prim| faces.get(prim as usize).copied().unwrap_or(prim);
+        let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (number(prim), t, u, v)));
         write_file(&self.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
         let counts = [count(hits.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
         let precision = <V::Real as Float>::PRECISION;

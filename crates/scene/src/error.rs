@@ -4,6 +4,7 @@ use stackless_bvh::geom::MeshError;
 
 use super::MOST_BYTES;
 use super::float::Float;
+use super::note::Note;
 use super::text::{one_line, quote};
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
@@ -52,6 +53,9 @@ pub enum ReadError {
         /// What.
         fault: Fault,
     },
+    /// The file is in order, but has no triangles. Notes say what it has.
+    #[error("no triangles, expected at least one{}", also(.0))]
+    Empty(Vec<Note>),
     /// The file is in order, but what it holds is not a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -96,6 +100,12 @@ pub enum Fault {
         /// What should.
         expected: String,
     },
+    /// JSON that is not a glTF 2.0 document.
+    #[error("{what}")]
+    Json {
+        /// The column and what is wrong there.
+        what: String,
+    },
     /// A coordinate that is NaN, infinite, or too large for the precision that is read.
     #[error("coordinate {} is {value:?}, expected a finite number in {precision} precision", ["x", "y", "z"][*.axis])]
     NonFinite {
@@ -113,12 +123,6 @@ pub enum Fault {
         found: String,
         /// The range.
         expected: String,
-    },
-    /// A face that is no polygon.
-    #[error("face with {corners} corners, expected at least 3")]
-    FewCorners {
-        /// How many it has.
-        corners: u64,
     },
 }
 
@@ -140,6 +144,13 @@ impl Fault {
     }
 }
 
+impl Place {
+    /// One of so many elements of a file that is no text.
+    pub(super) fn of(name: &str, index: usize, count: usize) -> Self {
+        Self::Element { line: None, name: name.into(), index: index as u64, count: count as u64 }
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -154,6 +165,10 @@ impl fmt::Display for Place {
             Self::Document => f.write_str("the document"),
         }
     }
+}
+
+fn also(notes: &[Note]) -> String {
+    notes.iter().fold(String::new(), |all, note| all + "; " + &note.to_string())
 }
 
 fn extension(file: &Path) -> String {

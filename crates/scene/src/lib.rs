@@ -11,21 +11,19 @@
 //! Numbers are rounded once, to the chosen precision. [`Rounding`] says how many and by how much: a decimal
 //! such as 0.1 is rounded in either precision. `load::<DVec3>` reads in double precision.
 //!
-//! The readers are our own: `tobj` 4.0 re-indexes vertices and reports no line, and `ply-rs-bw` 4.0 reports in several
-//! lines, refuses numbers such as `.5`, misreads what follows a repeated property, and counts in vain through billions
-//! of elements that have none. `stl_io` 0.11 reports no line, refuses a solid without a name, and leaves out all solids
-//! of a text but the first. For glTF the crate `gltf` reads the document.
-
+//! Nothing is lost in silence: [`Loaded::notes`] counts what was skipped or changed.
 #![forbid(unsafe_code)]
 
+mod draft;
 mod error;
-mod fan;
 mod float;
-mod gltf_file;
+mod gltf;
+mod note;
 mod number;
 mod obj;
 mod output;
 mod ply;
+mod polygon;
 mod property;
 mod rays;
 mod rounding;
@@ -35,8 +33,9 @@ mod text;
 
 pub use error::{Fault, Place, ReadError, SceneError};
 pub use float::{Float, Position};
-pub use gltf_file::{Unread, read_gltf};
-pub use obj::{Statements, read_obj};
+pub use gltf::read_gltf;
+pub use note::{Note, NoteKind};
+pub use obj::read_obj;
 pub use output::{abandon_writes, check_writable, resolve, write_atomically};
 pub use ply::read_ply;
 pub use property::{FileFault, MeshFormat, check_mesh_file, check_ray_file};
@@ -56,29 +55,39 @@ use glam::Vec3;
 use stackless_bvh::geom::Mesh;
 
 /// What a mesh file holds.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Loaded<V: Position = Vec3> {
     /// The mesh.
     pub mesh: Mesh<V>,
-    /// What was skipped of an OBJ file, since the format does not have it.
-    pub skipped: Option<Statements>,
-    /// What was not read of a glTF file, since it is not a mesh of triangles.
-    pub unread: Option<Unread>,
+    /// For each triangle the face of the file that it is cut from, counted from 0: of a polygon there are several.
+    pub faces: Vec<u32>,
+    /// Groups and objects of an OBJ file, solids of an STL text, nodes of a glTF file: those that have triangles, in order.
+    pub parts: Vec<Part>,
+    /// What was skipped or changed.
+    pub notes: Vec<Note>,
     /// How many coordinates were rounded, and by how much.
     pub rounding: Rounding,
 }
 
+/// A named part of a file: its triangles are those up to the first one of the next part.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Its name in the file, which may be empty.
+    pub name: String,
+    /// Its first triangle.
+    pub first: u32,
+}
+
 impl<V: Position> Loaded<V> {
-    fn of((mesh, rounding): (Mesh<V>, Rounding)) -> Self {
-        Self { mesh, skipped: None, unread: None, rounding }
+    /// Returns the part of a triangle; `None` before the first part.
+    pub fn part(&self, triangle: u32) -> Option<&Part> {
+        self.parts[..self.parts.partition_point(|part| part.first <= triangle)].last()
     }
 
     /// Returns the note for the user: one line that begins with the file. `None` if all of it was taken as it is.
     pub fn note(&self, file: &Path) -> Option<String> {
-        let skipped = self.skipped.as_ref().map(ToString::to_string);
-        let unread = self.unread.as_ref().map(ToString::to_string);
         let rounded = self.rounding.note::<V::Real>(size(&self.mesh));
-        let notes: Vec<_> = [skipped, unread, rounded].into_iter().flatten().collect();
+        let notes: Vec<_> = self.notes.iter().map(ToString::to_string).chain(rounded).collect();
         (!notes.is_empty()).then(|| format!("{}: {}", text::one_line(file), notes.join("; ")))
     }
 }
@@ -121,10 +130,10 @@ type Reader<V> = fn(&[u8], Option<&Path>) -> Result<Loaded<V>, ReadError>;
 fn reader<V: Position>(path: &Path) -> Result<Reader<V>, SceneError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     Ok(match extension.to_str() {
-        Some("ply") => |bytes, _| ply::read_and_count(bytes).map(Loaded::of),
-        Some("obj") => |bytes, _| obj::load(bytes),
-        Some("stl") => |bytes, _| stl::read_and_count(bytes).map(Loaded::of),
-        Some("gltf" | "glb") => gltf_file::load,
+        Some("ply") => |bytes, _| read_ply(bytes),
+        Some("obj") => |bytes, _| read_obj(bytes),
+        Some("stl") => |bytes, _| read_stl(bytes),
+        Some("gltf" | "glb") => read_gltf,
         _ => return Err(SceneError::Extension { file: path.into() }),
     })
 }

@@ -10,7 +10,8 @@ use super::error::Fault;
 use super::float::{Float, is_finite};
 use super::text::quote;
 
-/// A number as it was read, and how far it may be from the one in the file: 0 only if it is that one.
+/// A number as it was read, and how far it may be from the one in the file: 0 only if it is that one, and infinite if that
+/// one is finite and this one is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Number<F> {
     pub(crate) value: F,
@@ -40,7 +41,11 @@ impl<F: Float> Number<F> {
         let other = near + left;
         let is_open = left != 0.0 && F::rounded(other).into() == other || !is_finite(rounded);
         let value = if is_open { word.parse().ok()? } else { rounded };
-        if !is_finite(value) || value.into() == near && is_decimal(word, near) {
+        if !is_finite(value) {
+            let has_digits = word.bytes().any(|byte| byte.is_ascii_digit());
+            return Some(Self { value, error: if has_digits { f64::INFINITY } else { 0.0 } });
+        }
+        if value.into() == near && is_decimal(word, near) {
             return Some(Self::exact(value));
         }
         let error = (near - value.into()).abs() + half_unit::<f64>(near);
@@ -69,8 +74,12 @@ impl<F: Float> Number<F> {
 impl<'de, F: Float> Deserialize<'de> for Number<F> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let word = <&RawValue>::deserialize(deserializer)?.get();
-        let value: F = serde_json::from_str(word).map_err(D::Error::custom)?;
-        Ok(Self::parse(word).unwrap_or(Self::exact(value)))
+        // Of what is no number, serde_json says so.
+        let is_number = word.starts_with(|first: char| first == '-' || first.is_ascii_digit());
+        match Self::parse(word).filter(|_| is_number) {
+            Some(number) => Ok(number),
+            None => serde_json::from_str(word).map(Self::exact).map_err(D::Error::custom),
+        }
     }
 }
 

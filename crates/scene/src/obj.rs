@@ -1,100 +1,60 @@
 //! Wavefront OBJ: vertices and faces (*Advanced Visualizer* manual, appendix B1).
 
-use super::error::{Fault, ReadError};
-use stackless_bvh::geom::Mesh;
-
-use super::fan::Fan;
-use super::float::Position;
-use super::number::Number;
-use super::text::{End, Lines, quote, without_mark};
-use super::{Loaded, Rounding};
-use std::fmt;
 use std::str::SplitAsciiWhitespace;
+
+use super::Loaded;
+use super::draft::Draft;
+use super::error::{Fault, Place, ReadError};
+use super::float::Position;
+use super::note::NoteKind;
+use super::number::Number;
+use super::text::{End, Lines, as_utf8, quote};
 
 /// Reads a mesh from the bytes of an OBJ file.
 ///
 /// Statements `v` (of which the first three numbers count) and `f` (or `fo`) are read, with comments and lines
-/// continued by a backslash. A line ends with a line feed, a carriage return, or both; a byte order mark does not
-/// count. Coordinates are rounded to what is read. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts
-/// vertices from 1, or backwards from the last one so far if negative; it may point to a vertex that follows. A polygon
-/// becomes the triangles `(0, i, i + 1)` of its corners.
+/// continued by a backslash. A line ends with a line feed, a carriage return, or both. The text is UTF-8, or UTF-16
+/// with a byte order mark. Coordinates are rounded to what is read. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a`
+/// counts vertices from 1, or backwards from the last one so far if negative; it may point to a vertex that follows. A
+/// polygon may be concave. Each `o` or `g` begins a part.
 ///
-/// Statements of the format that say nothing of triangles are skipped. Those that the format does not have are skipped
-/// too, and counted.
+/// Faces of fewer than three corners are skipped, and so are points, lines, curves, surfaces, and statements that the
+/// format does not have: notes count them.
 ///
 /// ```
-/// let (mesh, skipped) = stackless_scene::read_obj::<glam::Vec3>(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
-/// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
+/// let loaded = stackless_scene::read_obj::<glam::Vec3>(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
+/// assert_eq!(loaded.mesh.triangles(), [[0, 1, 2]]);
 /// let said = "1 statement that OBJ does not have was skipped, the first in line 4: \"facet\"";
-/// assert_eq!(skipped.map(|skipped| skipped.to_string()).as_deref(), Some(said));
+/// assert_eq!(loaded.notes[0].to_string(), said);
 /// # Ok::<(), stackless_scene::ReadError>(())
 /// ```
 ///
 /// # Errors
 /// [`ReadError`], naming the line on which the statement begins.
-pub fn read_obj<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Option<Statements>), ReadError> {
-    load(bytes).map(|loaded| (loaded.mesh, loaded.skipped))
-}
-
-/// Reads the mesh, and counts rounded numbers and skipped elements.
-pub(crate) fn load<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
-    let mut draft = Draft {
-        line: 0,
-        vertices: Vec::new(),
-        triangles: Vec::new(),
-        ahead: Vec::new(),
-        skipped: None,
-        rounding: Rounding::default(),
-    };
-    let mut lines = Lines::new(without_mark(bytes), End::Any);
+pub fn read_obj<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
+    let mut reader = Reader { line: 0, draft: Draft::<V>::new(0, 0), ahead: Vec::new() };
+    let bytes = as_utf8(bytes);
+    let mut lines = Lines::new(&bytes, End::Any);
     let mut statement = Vec::new();
     while let Some(first) = lines.next() {
-        draft.line = lines.number();
+        reader.line = lines.number();
         let (text, continued) = content(first);
         let text = if continued { join(text, &mut lines, &mut statement) } else { text };
-        let text = String::from_utf8_lossy(text);
-        let mut words = text.split_ascii_whitespace();
-        match words.next() {
-            Some("v") => draft.vertex(words),
-            // As of version 2.11 of the format, the old name is read as the new one.
-            Some("f" | "fo") => draft.face(words),
-            Some(word) if !OTHERS.contains(&word) => {
-                draft.skip(word);
-                Ok(())
-            }
-            _ => Ok(()),
-        }
-        .map_err(|fault| fault.at_line(draft.line))?;
+        reader.statement(&String::from_utf8_lossy(text)).map_err(|fault| fault.at_line(reader.line))?;
     }
-    draft.finish()
+    reader.finish()
 }
 
-/// Statements of a file that the format does not have.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Statements {
-    /// How many there are.
-    pub count: u64,
-    /// The line of the first one, counted from 1.
-    pub line: u64,
-    /// Its first word, quoted and shortened.
-    pub word: String,
-}
-
-impl fmt::Display for Statements {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { count, line, word } = self;
-        let (statements, were) = if *count == 1 { ("statement", "was") } else { ("statements", "were") };
-        write!(f, "{count} {statements} that OBJ does not have {were} skipped, the first in line {line}: {word}")
-    }
-}
-
-/// Statements that say nothing of triangles: the manual's, and those of its version 2.11.
+/// Statements that say nothing of where anything is: the manual's, and those of its version 2.11.
 #[rustfmt::skip]
-const OTHERS: [&str; 42] = [
-    "vt", "vn", "vp", "cstype", "deg", "bmat", "step", "p", "l", "curv", "curv2", "surf", "parm", "trim", "hole",
-    "scrv", "sp", "end", "con", "g", "s", "mg", "o", "bevel", "c_interp", "d_interp", "lod", "usemtl", "mtllib",
-    "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh", "bsp", "bzp", "cdc", "cdp", "res",
+const OTHERS: [&str; 29] = [
+    "vt", "vn", "vp", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp", "end", "con", "s", "mg",
+    "bevel", "c_interp", "d_interp", "lod", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",
+    "stech", "res",
 ];
+
+/// Statements of points, lines, curves and surfaces, and of other files.
+const SHAPES: [&str; 11] = ["p", "l", "curv", "curv2", "surf", "call", "csh", "bsp", "bzp", "cdc", "cdp"];
 
 /// Writes a line and its continuation lines into `statement`.
 fn join<'a>(first: &[u8], lines: &mut Lines<'_>, statement: &'a mut Vec<u8>) -> &'a [u8] {
@@ -122,46 +82,57 @@ fn content(line: &[u8]) -> (&[u8], bool) {
     }
 }
 
-struct Draft<V> {
+struct Reader<V: Position> {
     /// Where the current statement begins.
     line: u64,
-    vertices: Vec<V>,
-    triangles: Vec<[u32; 3]>,
+    draft: Draft<V>,
     /// Corners (line and number) that were ahead of the vertices when they came.
     ahead: Vec<(u64, i64)>,
-    skipped: Option<Statements>,
-    rounding: Rounding,
 }
 
-impl<V: Position> Draft<V> {
-    fn skip(&mut self, word: &str) {
-        let first = || Statements { count: 0, line: self.line, word: quote(word) };
-        self.skipped.get_or_insert_with(first).count += 1;
+impl<V: Position> Reader<V> {
+    fn statement(&mut self, text: &str) -> Result<(), Fault> {
+        let mut words = text.split_ascii_whitespace();
+        let kind = match words.next() {
+            Some("v") => return self.vertex(words),
+            // As of version 2.11 of the format, the old name is read as the new one.
+            Some("f" | "fo") => return self.face(words),
+            Some("o" | "g") => {
+                self.draft.part(words.collect::<Vec<_>>().join(" "));
+                return Ok(());
+            }
+            Some(word) if SHAPES.contains(&word) => NoteKind::OtherStatement,
+            Some(word) if !OTHERS.contains(&word) => NoteKind::UnknownStatement,
+            _ => return Ok(()),
+        };
+        let word = text.split_ascii_whitespace().next().unwrap_or_default();
+        self.draft.notes.add(kind, 1, || format!("in line {}: {}", self.line, quote(word)));
+        Ok(())
     }
 
     fn vertex(&mut self, mut words: SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
         let mut position = [V::Real::default(); 3];
         for (axis, coordinate) in position.iter_mut().enumerate() {
             let word = words.next().ok_or_else(|| Fault::unexpected("the end of the line", "3 coordinates"))?;
-            *coordinate = self.rounding.coordinate(Number::coordinate_in(word, axis, "a number")?);
+            *coordinate = self.draft.coordinate(axis, Number::coordinate_in(word, axis, "a number"), self.line)?;
         }
-        self.vertices.push(V::from_components(position));
+        self.draft.vertex(position);
         Ok(())
     }
 
     fn face(&mut self, words: SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
-        let mut fan = Fan::default();
         for word in words {
             let number =
                 corner(word).ok_or_else(|| Fault::unexpected(quote(word), "a corner as in a, a/b, a//c or a/b/c"))?;
             let index = self.resolve(number)?;
-            self.triangles.extend(fan.push(index));
+            self.draft.corner(index);
         }
-        if fan.corners() < 3 { Err(Fault::FewCorners { corners: fan.corners() }) } else { Ok(()) }
+        self.draft.end_face(|| format!("in line {}", self.line));
+        Ok(())
     }
 
     fn resolve(&mut self, number: i64) -> Result<u32, Fault> {
-        let count = self.vertices.len() as i64;
+        let count = self.draft.vertices() as i64;
         let index = if number < 0 { number + count } else { number - 1 };
         if index < 0 {
             return Err(self.out_of_range(number));
@@ -174,7 +145,7 @@ impl<V: Position> Draft<V> {
     }
 
     fn out_of_range(&self, number: i64) -> Fault {
-        let expected = match self.vertices.len() {
+        let expected = match self.draft.vertices() {
             0 => "a vertex before the face".into(),
             count => format!("1 to {count} or -{count} to -1"),
         };
@@ -182,12 +153,11 @@ impl<V: Position> Draft<V> {
     }
 
     fn finish(self) -> Result<Loaded<V>, ReadError> {
-        let count = self.vertices.len() as i64;
+        let count = self.draft.vertices() as i64;
         if let Some(&(line, number)) = self.ahead.iter().find(|(_, number)| *number > count) {
             return Err(self.out_of_range(number).at_line(line));
         }
-        let mesh = Mesh::new(self.vertices, self.triangles)?;
-        Ok(Loaded { skipped: self.skipped, ..Loaded::of((mesh, self.rounding)) })
+        self.draft.finish(|_, line| Place::Line(line))
     }
 }
 

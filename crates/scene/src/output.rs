@@ -130,11 +130,11 @@ struct Temporary(PathBuf);
 
 impl Temporary {
     fn beside(target: &Path) -> io::Result<(Self, File)> {
-        let name = target.file_name().unwrap_or_default();
         let mut live = live();
         let mut number = 0_u32;
         loop {
-            let temporary = target.with_file_name(format!(".{}.{number}.tmp", name.to_string_lossy()));
+            // Of the target's name nothing: it may be as long as a name can be.
+            let temporary = target.with_file_name(format!(".stackless.{number}.tmp"));
             match File::create_new(&temporary) {
                 Ok(file) => {
                     live.insert(temporary.clone());
@@ -196,10 +196,24 @@ mod tests {
     #[test]
     fn a_taken_temporary_name_is_left_alone() {
         let folder = Folder::new("taken");
-        fs::write(folder.file(".out.csv.0.tmp"), "of another run").unwrap();
+        fs::write(folder.file(".stackless.0.tmp"), "of another run").unwrap();
         write_atomically(&folder.file("out.csv"), |w| w.write_all(b"new")).unwrap();
-        assert_eq!(folder.names(), [".out.csv.0.tmp", "out.csv"]);
-        assert_eq!(fs::read_to_string(folder.file(".out.csv.0.tmp")).unwrap(), "of another run");
+        assert_eq!(folder.names(), [".stackless.0.tmp", "out.csv"]);
+        assert_eq!(fs::read_to_string(folder.file(".stackless.0.tmp")).unwrap(), "of another run");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn any_name_that_the_system_has_is_written() {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt;
+        let folder = Folder::new("names");
+        for name in [&[b'x'; 255][..], "\u{e9}".repeat(127).as_bytes(), b"\xFF.csv"] {
+            let path = folder.file("").join(OsStr::from_bytes(name));
+            check_writable(&path).unwrap();
+            write_atomically(&path, |w| w.write_all(b"new")).unwrap();
+            assert_eq!(fs::read(&path).unwrap(), b"new");
+        }
     }
 
     #[test]

@@ -4,21 +4,22 @@ mod header;
 
 use header::{Element, Encoding, Header, Kind, Property, Scalar};
 
+use super::Loaded;
+use super::draft::{Draft, of_strip};
 use super::error::{Fault, Place, ReadError};
-use stackless_bvh::geom::Mesh;
-
-use super::Rounding;
-use super::fan::Fan;
 use super::float::{Float, Position};
+use super::note::NoteKind;
 use super::number::Number;
 use super::text::{End, Lines, quote, without_mark};
 use std::str::SplitAsciiWhitespace;
 
 /// Reads a mesh from the bytes of a PLY file.
 ///
-/// Of element `vertex` the scalars `x`, `y`, `z` are read, of element `face` the list `vertex_indices` (or
-/// `vertex_index`), each of any type; all else is skipped. Coordinates are rounded to what is read; in ascii that is
-/// the decimal, also of a `float`. A polygon becomes the triangles `(0, i, i + 1)` of its corners.
+/// Of element `vertex` the scalars `x`, `y`, `z` are read, of elements `face` and `tristrips` the list `vertex_indices`
+/// (or `vertex_index`), each of any type; other properties are skipped, and elements of other kinds, which a note counts.
+/// Coordinates are rounded to what is read; in ascii that is the decimal, also of a `float`. A polygon may be concave;
+/// one of fewer than three corners is skipped, which a note says. In a strip, every index below 0 begins another one, and
+/// each triangle counts as a face.
 ///
 /// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a
 /// line (blank lines do not count), and nothing but white space after the last element, since more bytes than promised
@@ -26,12 +27,7 @@ use std::str::SplitAsciiWhitespace;
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a header or an ascii file, or the element of a binary one.
-pub fn read_ply<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
-    read_and_count(bytes).map(|(mesh, _)| mesh)
-}
-
-/// Reads them, and counts the rounded numbers.
-pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Rounding), ReadError> {
+pub fn read_ply<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
     let bytes = without_mark(bytes);
     // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
     let lone_return = bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply\r\n");
@@ -44,57 +40,64 @@ pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Roun
     }
 }
 
-fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<(Mesh<V>, Rounding), ReadError> {
-    let mut body = Body::new(header, source.rest().len());
+fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<Loaded<V>, ReadError> {
+    let promised = |kind| header.elements.iter().find(|e| e.kind == kind).map_or(0, |e| e.count);
+    let vertices = promised(Kind::Vertex);
+    let room = |count| capacity(count, source.rest().len());
+    let mut body =
+        Body { draft: Draft::<V>::new(room(vertices), room(promised(Kind::Face))), vertices, strip: Vec::new() };
     for element in &header.elements {
         // Nothing to read, however many the header promises.
         if element.properties.is_empty() {
             continue;
         }
         for index in 0..element.count {
-            body.read(&mut source, element).map_err(|fault| {
-                let (line, name) = (source.line(), element.name.clone());
-                fault.at(Place::Element { line, name, index, count: element.count })
-            })?;
+            let place = |source: &S| element.place(source.line(), index);
+            body.read(&mut source, element, index).map_err(|fault| fault.at(place(&source)))?;
+        }
+        if element.kind == Kind::Other {
+            body.draft.notes.add(NoteKind::OtherElement, element.count, || format!("of kind {}", element.name));
         }
     }
     let left = source.rest().trim_ascii().len();
     if left != 0 {
         return Err(Fault::unexpected(format!("{left} bytes"), "the end of the file").at(Place::End));
     }
-    Ok((Mesh::new(body.vertices, body.triangles)?, body.rounding))
+    body.draft.finish(|index, line| {
+        let (name, line) = ("vertex".into(), source.line().map(|_| line));
+        Place::Element { line, name, index: index.into(), count: vertices }
+    })
 }
 
 /// What has been read so far.
-struct Body<V> {
-    vertices: Vec<V>,
-    triangles: Vec<[u32; 3]>,
-    promised_vertices: u64,
-    rounding: Rounding,
+struct Body<V: Position> {
+    draft: Draft<V>,
+    /// How many vertices the header promises.
+    vertices: u64,
+    /// The corners of a strip.
+    strip: Vec<u32>,
 }
 
 impl<V: Position> Body<V> {
-    fn new(header: &Header, available: usize) -> Self {
-        let count = |kind| header.elements.iter().find(|e| e.kind == kind).map_or(0, |e| e.count);
-        let (vertices, faces) = (count(Kind::Vertex), count(Kind::Face));
-        Self {
-            vertices: Vec::with_capacity(capacity(vertices, available)),
-            triangles: Vec::with_capacity(capacity(faces, available)),
-            promised_vertices: vertices,
-            rounding: Rounding::default(),
-        }
-    }
-
     #[inline]
-    fn read<S: Source>(&mut self, source: &mut S, element: &Element) -> Result<(), Fault> {
+    fn read<S: Source>(&mut self, source: &mut S, element: &Element, index: u64) -> Result<(), Fault> {
         source.begin()?;
         let mut position = [V::Real::default(); 3];
         for property in &element.properties {
             match *property {
                 Property::Coordinate { axis, scalar } => {
-                    position[axis] = self.rounding.coordinate(source.coordinate(axis, scalar)?);
+                    let number = source.coordinate(axis, scalar);
+                    position[axis] = self.draft.coordinate(axis, number, source.line().unwrap_or(0))?;
                 }
-                Property::Corners { length, item } => self.read_face(source, length, item)?,
+                Property::Corners { length, item } => {
+                    let corners = read_length(source, length)?;
+                    if element.kind == Kind::Strip {
+                        let line = source.line();
+                        self.read_strip(source, corners, item, || format!("in {}", element.place(line, index)))?;
+                    } else {
+                        self.read_face(source, corners, item)?;
+                    }
+                }
                 Property::Scalar(scalar) => {
                     source.scalar(scalar)?;
                 }
@@ -105,29 +108,57 @@ impl<V: Position> Body<V> {
                 }
             }
         }
-        if element.kind == Kind::Vertex {
-            self.vertices.push(V::from_components(position));
+        match element.kind {
+            Kind::Vertex => self.draft.vertex(position),
+            Kind::Face => self.draft.end_face(|| format!("in {}", element.place(source.line(), index))),
+            Kind::Strip | Kind::Other => {}
         }
         source.end()
     }
 
     #[inline]
-    fn read_face<S: Source>(&mut self, source: &mut S, length: Scalar, item: Scalar) -> Result<(), Fault> {
-        let corners = read_length(source, length)?;
-        if corners < 3 {
-            return Err(Fault::FewCorners { corners: corners.into() });
-        }
-        let mut fan = Fan::default();
+    fn read_face<S: Source>(&mut self, source: &mut S, corners: u32, item: Scalar) -> Result<(), Fault> {
         for _ in 0..corners {
-            let value = source.scalar(item)?;
-            let corner = whole(value).filter(|&corner| u64::from(corner) < self.promised_vertices);
-            let Some(corner) = corner else {
-                let expected = format!("a whole number from 0, less than {}", self.promised_vertices);
-                return Err(Fault::Index { found: value.to_string(), expected });
-            };
-            self.triangles.extend(fan.push(corner));
+            let corner = source.scalar(item)?;
+            self.draft.corner(self.corner(corner)?);
         }
         Ok(())
+    }
+
+    fn read_strip<S: Source>(
+        &mut self,
+        source: &mut S,
+        corners: u32,
+        item: Scalar,
+        place: impl Fn() -> String,
+    ) -> Result<(), Fault> {
+        for _ in 0..corners {
+            let corner = source.scalar(item)?;
+            if corner < 0.0 {
+                self.end_strip(&place);
+                continue;
+            }
+            self.strip.push(self.corner(corner)?);
+            if let Some(first) = self.strip.len().checked_sub(3) {
+                self.draft.triangle(of_strip(first).map(|i| self.strip[i]));
+            }
+        }
+        self.end_strip(&place);
+        Ok(())
+    }
+
+    fn end_strip(&mut self, place: impl FnOnce() -> String) {
+        let is_short = matches!(self.strip.len(), 1 | 2);
+        self.draft.notes.add(NoteKind::FewCorners, is_short.into(), place);
+        self.strip.clear();
+    }
+
+    #[inline]
+    fn corner(&self, value: f64) -> Result<u32, Fault> {
+        whole(value).filter(|&corner| u64::from(corner) < self.vertices).ok_or_else(|| {
+            let expected = format!("a whole number from 0, less than {}", self.vertices);
+            Fault::Index { found: value.to_string(), expected }
+        })
     }
 }
 

@@ -1,11 +1,12 @@
 //! The property bodies of file readers: whatever the bytes are, a mesh or rays that are in order, or a message of one
 //! line.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 
 use crate::stl;
-use crate::text::MARK;
-use crate::{Format, Position, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
+use crate::text::{MARK, as_utf8};
+use crate::{Format, Loaded, Position, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
 use glam::DVec3;
 use stackless_bvh::geom::{Mesh, Ray};
 
@@ -29,7 +30,7 @@ pub enum FileFault {
 }
 
 /// Longest message, in bytes.
-const LONGEST: usize = 400;
+const LONGEST: usize = 2000;
 
 /// A format of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,10 +46,10 @@ pub enum MeshFormat {
 }
 
 impl MeshFormat {
-    fn read<V: Position>(self, bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
+    fn read<V: Position>(self, bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
         match self {
             Self::Ply => read_ply(bytes),
-            Self::Obj => read_obj(bytes).map(|(mesh, _)| mesh),
+            Self::Obj => read_obj(bytes),
             Self::Stl => read_stl(bytes),
             Self::Gltf => read_gltf(bytes, None),
         }
@@ -57,6 +58,8 @@ impl MeshFormat {
     /// The same file as other editors write it.
     fn rewritten(self, bytes: &[u8]) -> Vec<Vec<u8>> {
         match self {
+            // In UTF-16 marks and ends of lines have other bytes.
+            Self::Obj | Self::Stl if matches!(as_utf8(bytes), Cow::Owned(_)) => Vec::new(),
             // What is behind the header may be binary.
             Self::Ply => rewritten(bytes, !bytes.starts_with(b"ply")),
             Self::Obj => rewritten(bytes, true),
@@ -73,42 +76,66 @@ impl MeshFormat {
 /// # Errors
 /// The first fault.
 pub fn check_mesh_file(bytes: &[u8], format: MeshFormat) -> Result<bool, FileFault> {
-    let mesh = match format.read(bytes) {
-        Ok(mesh) => mesh,
+    let loaded = match format.read(bytes) {
+        Ok(loaded) => loaded,
         Err(error) => return message(error.to_string()),
     };
+    if let Some(note) = loaded.note("FILE".as_ref()) {
+        message(note)?;
+    }
+    let mesh = &loaded.mesh;
     let elements = mesh.vertices().len() + mesh.triangles().len();
     // The nodes of a glTF file repeat its meshes.
     if elements >= bytes.len() && format != MeshFormat::Gltf {
         return Err(FileFault::Size { elements, bytes: bytes.len() });
     }
     let double = format.read::<DVec3>(bytes).map_err(|error| FileFault::Changed(error.to_string()))?;
-    if !is_near(&mesh, &double) {
-        return Err(FileFault::Changed(format!("{mesh:?}, and {double:?} in double precision")));
+    if !is_near(&loaded, &double) {
+        return Err(FileFault::Changed(format!("{mesh:?}, and {:?} in double precision", double.mesh)));
     }
     for written in format.rewritten(bytes) {
         let same = format.read(&written);
-        let same = same.is_ok_and(|same| bits(&same) == bits(&mesh) && same.triangles() == mesh.triangles());
-        if !same {
+        if !same.is_ok_and(|same| is_same(&same.mesh, mesh)) {
             return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
         }
     }
-    for back in [read_obj(as_obj(&mesh).as_bytes()).map(|(mesh, _)| mesh), read_ply(as_ply(&mesh).as_bytes())] {
-        let back = back.map_err(|error| FileFault::Changed(error.to_string()))?;
-        if bits(&back) != bits(&mesh) || back.triangles() != mesh.triangles() {
+    for back in [read_obj(as_obj(mesh).as_bytes()), read_ply(as_ply(mesh).as_bytes())] {
+        let back = back.map_err(|error| FileFault::Changed(error.to_string()))?.mesh;
+        if !is_same(&back, mesh) {
             return Err(FileFault::Changed(format!("{back:?} instead of {mesh:?}")));
         }
     }
     Ok(true)
 }
 
-/// Whether both have the same corners, rounded; of a text twice, which may give a neighbour.
-fn is_near(single: &Mesh, double: &Mesh<DVec3>) -> bool {
-    let mut corners =
-        (0..single.triangles().len()).flat_map(|i| single.triangle(i).into_iter().zip(double.triangle(i)));
+/// Whether both have the same faces, with the same corners, rounded; of a text twice, which may give a neighbour.
+fn is_near(single: &Loaded, double: &Loaded<DVec3>) -> bool {
+    // Where rounding moves its corners, a polygon may be cut in another way.
+    fn corners(triangles: &[[u32; 3]]) -> Vec<u32> {
+        let mut corners = triangles.as_flattened().to_vec();
+        if triangles.len() > 1 {
+            corners.sort_unstable();
+            corners.dedup();
+        }
+        corners
+    }
     let near = |a: f32, b: f32| a == b || a.next_up() == b || a.next_down() == b;
-    let same_count = single.triangles().len() == double.triangles().len();
-    same_count && corners.all(|(a, b)| (0..3).all(|axis| near(a[axis], b[axis] as f32)))
+    let mut first = 0;
+    single.faces == double.faces
+        && single.parts == double.parts
+        && single.faces.chunk_by(|a, b| a == b).all(|face| {
+            let triangles = first..first + face.len();
+            first = triangles.end;
+            let pairs = corners(&single.mesh.triangles()[triangles.clone()])
+                .into_iter()
+                .zip(corners(&double.mesh.triangles()[triangles]))
+                .map(|(a, b)| (single.mesh.vertices()[a as usize], double.mesh.vertices()[b as usize]));
+            pairs.into_iter().all(|(a, b)| (0..3).all(|axis| near(a[axis], b[axis] as f32)))
+        })
+}
+
+fn is_same(a: &Mesh, b: &Mesh) -> bool {
+    bits(a) == bits(b) && a.triangles() == b.triangles()
 }
 
 /// Reads rays, as a file of each format. If they are accepted, they are written, and must come back.

@@ -158,7 +158,7 @@ pub enum RayFault {
         expected: &'static str,
     },
     /// A column is not such a number as it should be.
-    #[error("column {column}: found {found}, expected {expected}")]
+    #[error("column {column}: found {found}, expected {expected} in {precision} precision")]
     Number {
         /// Name of the column.
         column: &'static str,
@@ -166,6 +166,8 @@ pub enum RayFault {
         found: String,
         /// What should.
         expected: &'static str,
+        /// What is read: `single` or `double`.
+        precision: &'static str,
     },
     /// It is not such an object as it should be.
     #[error("{found}, expected a {}", Format::JsonLines.row())]
@@ -259,6 +261,10 @@ fn lines<V: Position>(
         if bytes.len() > LONGEST {
             return Err(at(RayFault::Length(format)));
         }
+        if number == 1 && [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| bytes.starts_with(mark)) {
+            let (found, expected) = ("a text in UTF-16".into(), "one in UTF-8");
+            return Err(RayFileError::Array { file: file.into(), found, expected });
+        }
         let content = if number == 1 { super::text::without_mark(&bytes) } else { &bytes };
         let text = String::from_utf8_lossy(content);
         let text = text.trim();
@@ -304,7 +310,10 @@ impl<V: Position> LoadedRays<V> {
     /// Adds the ray of these numbers: of all columns, or of those without the interval.
     fn push(&mut self, numbers: &[Number<V::Real>]) -> Result<(), RayFault> {
         for (number, column) in numbers.iter().zip(COLUMNS) {
-            check(number.value, column, || number.value.into().to_string())?;
+            check(*number, column, || match number.error {
+                f64::INFINITY => "a number out of range".into(),
+                _ => number.value.into().to_string(),
+            })?;
         }
         let point = |first: usize| V::from_components([0, 1, 2].map(|axis| numbers[first + axis].value));
         let interval = numbers.get(6..8).map(|ends| (ends[0].value, ends[1].value));
@@ -317,13 +326,14 @@ impl<V: Position> LoadedRays<V> {
 }
 
 /// Refuses what no column, or not this one, may be.
-fn check<F: Float>(number: F, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RayFault> {
+fn check<F: Float>(number: Number<F>, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RayFault> {
     let may_be_infinite = column == "tmax";
-    if is_finite(number) || may_be_infinite && number == F::INFINITY {
+    if is_finite(number.value) || may_be_infinite && number == Number::exact(F::INFINITY) {
         return Ok(());
     }
+    let (found, precision) = (found(), F::PRECISION);
     let expected = if may_be_infinite { "a number or inf" } else { "a finite number" };
-    Err(RayFault::Number { column, found: found(), expected })
+    Err(RayFault::Number { column, found, expected, precision })
 }
 
 /// What a ray hits: the triangle's index in the mesh, distance, and weights of its second and third corner.

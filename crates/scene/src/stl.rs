@@ -1,15 +1,16 @@
 //! STL, as text and binary (3D Systems, *Stereolithography Interface Specification*, 1989).
 
-use std::collections::HashMap;
 use std::str::SplitAsciiWhitespace;
 
-use stackless_bvh::geom::Mesh;
+use foldhash::{HashMap, HashMapExt as _};
 
-use super::Rounding;
+use super::Loaded;
+use super::draft::Draft;
 use super::error::{Fault, Place, ReadError};
 use super::float::Position;
+use super::note::NoteKind;
 use super::number::Number;
-use super::text::{End, Lines, quote, without_mark};
+use super::text::{End, Lines, as_utf8, quote};
 
 /// Bytes before the triangles of a binary file: a text of any kind, and how many there are.
 const HEADER: usize = 84;
@@ -19,30 +20,30 @@ const TRIANGLE: usize = 50;
 
 /// Reads a mesh from the bytes of an STL file.
 ///
-/// A file is binary if it is as long as its number of triangles says, and a text if it begins with `solid`. Corners with
-/// the same coordinates become one vertex. Normals and attributes are skipped. A text may have several solids.
+/// A file is binary if it is as long as its number of triangles says, or does not begin as a text. A text begins with
+/// `solid`, in either case of letters, as all of its words. Corners with the same coordinates become one vertex. Normals
+/// and attributes are skipped, and so are bytes after the last triangle of a binary file, which a note counts. A text may
+/// have several solids: each is a part.
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a text, or the triangle of a binary file.
-pub fn read_stl<V: Position>(bytes: &[u8]) -> Result<Mesh<V>, ReadError> {
-    read_and_count(bytes).map(|(mesh, _)| mesh)
-}
-
-/// Reads them, and counts the rounded numbers.
-pub(crate) fn read_and_count<V: Position>(bytes: &[u8]) -> Result<(Mesh<V>, Rounding), ReadError> {
-    let mut draft = Draft::new();
+pub fn read_stl<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
+    let mut corners = Corners { draft: Draft::new(0, 0), known: HashMap::new(), coordinates: Vec::new() };
     if is_text(bytes) {
-        read_text(bytes, &mut draft)?;
+        read_text(&as_utf8(bytes), &mut corners)?;
     } else {
-        read_binary(bytes, &mut draft)?;
+        read_binary(bytes, &mut corners)?;
     }
-    Ok((Mesh::new(draft.vertices, draft.triangles)?, draft.rounding))
+    // A coordinate that is not finite is an error where it stands, since a triangle has it.
+    corners.draft.finish(|_, _| Place::End)
 }
 
-/// Whether a file is a text.
+/// Whether a file is a text: no number of triangles fits, and where it begins there is no byte that text does not have.
 pub(super) fn is_text(bytes: &[u8]) -> bool {
     let is_binary = promised(bytes).is_some_and(|count| bytes.len() == HEADER + TRIANGLE * count);
-    without_mark(bytes).trim_ascii_start().starts_with(b"solid") && !is_binary
+    let start = as_utf8(&bytes[..bytes.len().min(6 * HEADER)]);
+    let begins = start.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    begins && !is_binary && !start.contains(&0)
 }
 
 /// How many triangles a binary file says that it has.
@@ -51,12 +52,20 @@ fn promised(bytes: &[u8]) -> Option<usize> {
     Some(u32::from_le_bytes(*count) as usize)
 }
 
-fn read_binary<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), ReadError> {
-    let expected = "solid, or 80 bytes and the number of triangles";
-    let count = promised(bytes).ok_or_else(|| Fault::Ends { expected }.at(Place::Line(1)))?;
+fn read_binary<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<(), ReadError> {
+    let count = promised(bytes);
+    let start = &bytes[..bytes.len().min(HEADER)];
+    // What is printable has no number of triangles, but for one that is far beyond any file.
+    let Some(count) = count.filter(|_| start.contains(&0) || !start.is_ascii()) else {
+        let is_text = bytes.is_ascii() && !bytes.contains(&0);
+        let words = String::from_utf8_lossy(if is_text { bytes } else { &[] });
+        let found = words.split_ascii_whitespace().next().map_or(format!("{} bytes", bytes.len()), quote);
+        let expected = "solid, or 80 bytes and the number of triangles";
+        return Err(Fault::unexpected(found, expected).at(Place::Line(1)));
+    };
     let mut rest = &bytes[HEADER..];
     for index in 0..count {
-        let place = || Place::Element { line: None, name: "triangle".into(), index: index as u64, count: count as u64 };
+        let place = || Place::of("triangle", index, count);
         let (triangle, behind) = rest
             .split_first_chunk::<TRIANGLE>()
             .ok_or_else(|| Fault::Ends { expected: "more triangles" }.at(place()))?;
@@ -64,37 +73,47 @@ fn read_binary<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), Re
         let numbers =
             triangle[12..48].chunks_exact(4).map(|number| number.try_into().map_or(f32::NAN, f32::from_le_bytes));
         for (i, number) in numbers.enumerate() {
-            draft.coordinate(Number::coordinate(number.into(), i % 3).map_err(|fault| fault.at(place()))?);
+            corners.coordinate(Number::coordinate(number.into(), i % 3).map_err(|fault| fault.at(place()))?);
         }
     }
-    if rest.is_empty() {
-        return Ok(());
-    }
-    Err(Fault::unexpected(format!("{} bytes", rest.len()), "the end of the file").at(Place::End))
+    corners
+        .draft
+        .notes
+        .add(NoteKind::TrailingByte, rest.len() as u64, || format!("at byte {}", bytes.len() - rest.len()));
+    Ok(())
 }
 
-fn read_text<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), ReadError> {
+fn read_text<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<(), ReadError> {
     // What must follow, of the words that begin lines.
     let mut wanted = "solid";
-    let mut corners = 0;
-    let mut lines = Lines::new(without_mark(bytes), End::Any);
+    let mut count = 0;
+    let mut lines = Lines::new(bytes, End::Any);
     while let Some(line) = lines.next() {
         let text = String::from_utf8_lossy(line);
         let mut words = text.split_ascii_whitespace();
-        let Some(first) = words.next() else { continue };
-        let mut step = || {
-            wanted = match (wanted, first) {
-                ("solid", "solid") | ("endfacet", "endfacet") => "facet or endsolid",
+        let Some(found) = words.next() else { continue };
+        let mut first = found.to_ascii_lowercase();
+        // Some programs write `end loop`.
+        if first == "end" {
+            first.extend(words.next().map(str::to_ascii_lowercase));
+        }
+        let step = || {
+            wanted = match (wanted, &*first) {
+                ("solid", "solid") => {
+                    corners.draft.part(words.collect::<Vec<_>>().join(" "));
+                    "facet or endsolid"
+                }
+                ("endfacet", "endfacet") => "facet or endsolid",
                 ("facet or endsolid", "facet") => "outer loop",
                 ("facet or endsolid", "endsolid") => "solid",
                 ("outer loop", "outer") => "vertex",
                 ("vertex", "vertex") => {
-                    draft.corner(&mut words)?;
-                    corners += 1;
-                    if corners % 3 == 0 { "endloop" } else { "vertex" }
+                    corners.read(&mut words)?;
+                    count += 1;
+                    if count % 3 == 0 { "endloop" } else { "vertex" }
                 }
                 ("endloop", "endloop") => "endfacet",
-                _ => return Err(Fault::unexpected(quote(first), wanted)),
+                _ => return Err(Fault::unexpected(quote(found), wanted)),
             };
             Ok(())
         };
@@ -103,25 +122,16 @@ fn read_text<V: Position>(bytes: &[u8], draft: &mut Draft<V>) -> Result<(), Read
     if wanted == "solid" { Ok(()) } else { Err(Fault::Ends { expected: wanted }.at_line(lines.number())) }
 }
 
-struct Draft<V: Position> {
-    vertices: Vec<V>,
-    triangles: Vec<[u32; 3]>,
-    /// The vertices by their coordinates.
+struct Corners<V: Position> {
+    draft: Draft<V>,
+    /// The vertices by their coordinates. With the hash of `std`, reading takes seven times as long.
     known: HashMap<[u64; 3], u32>,
-    /// Coordinates of the next corner, then corners of the next triangle.
+    /// Coordinates of the next corner.
     coordinates: Vec<V::Real>,
-    corners: Vec<u32>,
-    rounding: Rounding,
 }
 
-impl<V: Position> Draft<V> {
-    fn new() -> Self {
-        let (vertices, triangles, known) = (Vec::new(), Vec::new(), HashMap::new());
-        let (coordinates, corners, rounding) = (Vec::new(), Vec::new(), Rounding::default());
-        Self { vertices, triangles, known, coordinates, corners, rounding }
-    }
-
-    fn corner(&mut self, words: &mut SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
+impl<V: Position> Corners<V> {
+    fn read(&mut self, words: &mut SplitAsciiWhitespace<'_>) -> Result<(), Fault> {
         for axis in 0..3 {
             let word = words.next().ok_or_else(|| Fault::unexpected("the end of the line", "3 coordinates"))?;
             self.coordinate(Number::coordinate_in(word, axis, "a number")?);
@@ -131,21 +141,20 @@ impl<V: Position> Draft<V> {
 
     /// The next coordinate, of the next corner of the next triangle.
     fn coordinate(&mut self, number: Number<V::Real>) {
-        let value = self.rounding.coordinate(number);
+        let value = self.draft.rounding.coordinate(number);
         // Zero has one sign, so that it is one corner.
         let zero = V::Real::default();
         self.coordinates.push(if value == zero { zero } else { value });
         let [x, y, z] = self.coordinates[..] else { return };
         self.coordinates.clear();
-        let next = self.vertices.len() as u32;
+        let next = self.draft.vertices() as u32;
         let index = *self.known.entry([x, y, z].map(|number| number.into().to_bits())).or_insert(next);
         if index == next {
-            self.vertices.push(V::from_components([x, y, z]));
+            self.draft.vertex([x, y, z]);
         }
-        self.corners.push(index);
-        if let [a, b, c] = self.corners[..] {
-            self.triangles.push([a, b, c]);
-            self.corners.clear();
+        self.draft.corner(index);
+        if self.draft.corners() == 3 {
+            self.draft.end_face(String::new);
         }
     }
 }

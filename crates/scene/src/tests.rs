@@ -129,7 +129,8 @@ fn a_message_is_one_line_that_begins_with_the_file() {
     let folder = Folder::new("message");
     let path = folder.file("flat.obj");
     fs::write(&path, "v 0 0 0\nf 1 1\n").unwrap();
-    let message = format!("{}: line 2: face with 2 corners, expected at least 3", path.display());
+    let few = "1 face with fewer than 3 corners was skipped, the first in line 2";
+    let message = format!("{}: no triangles, expected at least one; {few}", path.display());
     assert_eq!(refusal(&path), message);
     fs::write(&path, "").unwrap();
     assert_eq!(refusal(&path), format!("{}: no triangles, expected at least one", path.display()));

@@ -1,5 +1,6 @@
 //! Lines of a file, and its text in messages.
 
+use std::borrow::Cow;
 use std::io;
 use std::path::Path;
 
@@ -27,6 +28,18 @@ pub(super) const MARK: &[u8] = b"\xEF\xBB\xBF";
 /// The bytes without the mark.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(MARK).unwrap_or(bytes)
+}
+
+/// A text as UTF-8, without the mark. It may be UTF-16, which a mark tells, or a first character of ASCII.
+pub(super) fn as_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let unit: fn([u8; 2]) -> u16 = match bytes {
+        [0xFF, 0xFE, ..] | [1..=255, 0, ..] => u16::from_le_bytes,
+        [0xFE, 0xFF, ..] | [0, 1..=255, ..] => u16::from_be_bytes,
+        _ => return Cow::Borrowed(without_mark(bytes)),
+    };
+    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    let text: String = char::decode_utf16(units).map(|read| read.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
+    Cow::Owned(without_mark(text.as_bytes()).to_vec())
 }
 
 /// The lines of a file with their numbers, without terminator and surrounding white space.
@@ -96,15 +109,34 @@ impl<'a> Iterator for Lines<'a> {
 
 /// Text from a file for a message: quoted, one line, shortened.
 pub(super) fn quote(text: &str) -> String {
-    const SHOWN: usize = 40;
+    const SHOWN: usize = 80;
     let shown: String = text.chars().take(SHOWN).collect();
     if shown.len() < text.len() { format!("{shown:?}...") } else { format!("{shown:?}") }
 }
 
-/// A path for a message: as it is, but for control characters, which could break the line.
+/// What is wrong with JSON, for a message: the column, and one line without the middle if a text of the file makes it long.
+pub(super) fn of_json(error: &serde_json::Error) -> String {
+    const BEGIN: usize = 80;
+    const END: usize = 160;
+    let text = error.to_string();
+    let what = text.rsplit_once(" at line ").map_or(&*text, |(what, _)| what);
+    let mut what = escaped(what).replace("expected usize", "expected a whole number from 0");
+    let count = what.chars().count();
+    if count > BEGIN + END {
+        what = what.chars().take(BEGIN).chain("...".chars()).chain(what.chars().skip(count - END)).collect();
+    }
+    format!("column {}: {what}", error.column())
+}
+
+/// A path for a message: as it is, but for control characters.
 pub(super) fn one_line(path: &Path) -> String {
+    escaped(&path.to_string_lossy())
+}
+
+/// A text without control characters, which could break the line.
+fn escaped(text: &str) -> String {
     let mut line = String::new();
-    for character in path.to_string_lossy().chars() {
+    for character in text.chars() {
         if character.is_control() {
             line.extend(character.escape_default());
         } else {

@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn occlusion_rays_are_the_diffuse_ones_cut_at_a_tenth_of_the_diagonal() {
-        let scene = Scene { name: "soup".to_owned(), mesh: procedural::soup(1, 500) };
+        let scene = Scene { name: "soup".to_owned(), mesh: procedural::soup(1, 500), faces: Vec::new() };
         let bvh = Bvh::median(&scene.mesh, 4).unwrap();
         let rays = View::of(&scene.mesh).rays(400);
         let sets = sets(&scene, &bvh, rays, vec![Kind::Diffuse, Kind::Primary, Kind::Any], 1);

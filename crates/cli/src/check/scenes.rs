@@ -49,7 +49,7 @@ impl Scenes {
             return Ok(Self::Single(input::scenes(paths)?));
         }
         let mut scenes = input::scenes::<DVec3>(paths)?;
-        for Scene { name, mesh } in &mut scenes {
+        for Scene { name, mesh, .. } in &mut scenes {
             let vertices = mesh.vertices().iter().map(|&vertex| vertex + shift.0).collect();
             *mesh = Mesh::new(vertices, mesh.triangles().to_vec()).map_err(|error| format!("{name}: {error}"))?;
         }

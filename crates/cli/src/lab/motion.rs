@@ -46,7 +46,7 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     /// Write the figures to this file.
-    #[arg(long, value_name = "FILE", value_parser = places::file)]
+    #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
 }
 
@@ -114,7 +114,7 @@ fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::E
             follower.follow(&moved)?;
             row.update = row.update.min(start.elapsed().as_secs_f64() * 1e9 / triangles);
         }
-        let moved = Scene { name: scene.name.clone(), mesh: moved };
+        let moved = Scene { name: scene.name.clone(), mesh: moved, faces: Vec::new() };
         let primary = args.place.of(&moved).rays(args.count as usize);
         let rays = trace::bounce(&moved.mesh, &Bvh::build(&moved.mesh)?, &primary, args.seed);
         for follower in &mut followers {

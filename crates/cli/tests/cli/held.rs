@@ -213,7 +213,7 @@ fn a_signal_leaves_no_temporary_file() {
         let mut child = command.arg("-o").arg(out.path("hits.csv")).spawn().unwrap();
         let start = Instant::now();
         // The first look at the place leaves one for a moment too: this is the one that grows.
-        let temporary = out.path(".hits.csv.0.tmp");
+        let temporary = out.path(".stackless.0.tmp");
         while fs::metadata(&temporary).map_or(0, |file| file.len()) == 0 {
             assert!(
                 child.try_wait().unwrap().is_none() && start.elapsed() < Duration::from_mins(2),

@@ -98,6 +98,37 @@ fn what_a_mesh_file_has_beyond_its_format_is_said() {
     }
 }
 
+/// A square and a triangle: the second of three triangles is still of the first face.
+#[test]
+fn faces_are_numbered_as_in_the_file() {
+    let folder = Folder::new();
+    let mesh = folder.file("mix.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\nf 1 2 3 4\nf 2 5 6\n");
+    let rays = folder.file("rays.csv", "0.75,.5,5,0,0,-1\n0.25,.5,5,0,0,-1\n1.75,.5,5,0,0,-1\n9,9,9,0,0,1\n");
+    let args: [&Path; 4] = [&rays, Path::new("-o"), &folder.path("hits.csv"), &mesh];
+    for (command, expected) in
+        [("trace --rays", ["0", "1", "2", "-1"]), ("trace --faces --rays", ["0", "0", "1", "-1"])]
+    {
+        stackless(command, &args).passes();
+        let hits = std::fs::read_to_string(folder.path("hits.csv")).unwrap();
+        let prims: Vec<_> = hits.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+        assert_eq!(prims, expected, "{command}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn any_name_that_the_system_has_is_an_output() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new();
+    let (mesh, rays) = (data("cube.ply"), folder.file("rays.csv", "0.5,0.5,-9,0,0,1\n"));
+    for name in [[&[b'x'; 251][..], b".csv"].concat(), b"\xFF.csv".to_vec()] {
+        let output = folder.path("").join(OsStr::from_bytes(&name));
+        stackless("trace --rays", &[&rays, Path::new("-o"), &output, &mesh]).passes();
+        assert!(std::fs::read_to_string(&output).unwrap().starts_with("prim,t,u,v\n"));
+    }
+}
+
 #[test]
 fn every_method_on_a_mesh_file() {
     for name in ["cube.ply", "cube.obj"] {

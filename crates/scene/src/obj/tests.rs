@@ -1,12 +1,13 @@
 use super::*;
-use crate::MeshFormat;
 use crate::tests::{Random, survives_corruption};
+use crate::{MeshFormat, Note};
 use glam::Vec3;
+use stackless_bvh::geom::Mesh;
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 fn mesh(bytes: &[u8]) -> Result<Mesh, ReadError> {
-    read_obj::<Vec3>(bytes).map(|(mesh, _)| mesh)
+    read_obj::<Vec3>(bytes).map(|loaded| loaded.mesh)
 }
 
 fn triangles(text: &str) -> Vec<[u32; 3]> {
@@ -62,29 +63,31 @@ fn white_space_comments_and_continuations_do_not_matter() {
         plain.replace(' ', " \\\r\n\t"),
         plain.replace("\nf ", " # C:\\\n \tf\t"),
         plain.trim_end().to_owned(),
-        format!("mtllib \u{e9}.mtl\no x\ng\ns off\nusemtl y\nvn 0 0 nan\nvt 1\nl 1 2\np 1\n{plain}"),
+        format!("mtllib \u{e9}.mtl\no x\ng\ns off\nusemtl y\nvn 0 0 nan\nvt 1\n{plain}"),
         plain.replace("1 0 0", "1 0 0 1.0 0.5 0.5 0.5"),
     ];
     for text in variants {
-        assert_eq!(read_obj::<Vec3>(text.as_bytes()), read_obj::<Vec3>(plain.as_bytes()), "{text}");
+        let loaded = read_obj::<Vec3>(text.as_bytes()).unwrap();
+        assert_eq!((Ok(loaded.mesh), loaded.notes), (mesh(plain.as_bytes()), Vec::new()), "{text}");
     }
     let mut latin1 = b"# \xE9\no \xE9\\\n\xFF\n".to_vec();
     latin1.extend_from_slice(plain.as_bytes());
-    assert_eq!(read_obj::<Vec3>(&latin1), read_obj::<Vec3>(plain.as_bytes()));
+    assert_eq!(mesh(&latin1), mesh(plain.as_bytes()));
 }
 
 #[test]
 fn what_the_format_does_not_have_is_counted() {
-    let skipped = |text: &str| read_obj::<Vec3>(text.as_bytes()).unwrap().1;
+    let skipped = |text: &str| read_obj::<Vec3>(text.as_bytes()).unwrap().notes;
     let plain = format!("{TRIANGLE}f 1 2 3\n");
-    assert_eq!(skipped(&plain), None);
-    let of = |count, line, word: &str| Some(Statements { count, line, word: word.into() });
+    assert_eq!(skipped(&plain), []);
+    let kind = NoteKind::UnknownStatement;
+    let of = |count, line, word: &str| vec![Note { kind, count, first: format!("in line {line}: {word}") }];
     assert_eq!(skipped(&format!("o a\rs off\rV 0 0 0\r{plain}")), of(1, 3, "\"V\""));
     assert_eq!(skipped(&format!("vt 1\n{plain}vx 1\n\nfacet 1 2 3\n")), of(2, 6, "\"vx\""));
     // A mark counts only where the file begins.
     assert_eq!(skipped(&format!("\n\u{feff}g\n{plain}")), of(1, 2, "\"\\u{feff}g\""));
     let long = "x".repeat(100_000);
-    assert!(skipped(&format!("{long}\n{plain}")).unwrap().to_string().len() < 200);
+    assert!(skipped(&format!("{long}\n{plain}"))[0].to_string().len() < 200);
 }
 
 #[test]
@@ -113,11 +116,13 @@ fn each_error_names_its_line() {
         ("\nv 0 0\n", "line 2: found the end of the line, expected 3 coordinates"),
         ("v 0 0 x,1\n", "line 1: found \"x,1\", expected a number"),
         ("v \\\n0 \\\n0 \\\nx\n", "line 1: found \"x\", expected a number"),
-        ("# a\nv 0 nan 0\n", "line 2: coordinate y is NaN, expected a finite number in single precision"),
-        ("v 0 0 -inf\n", "line 1: coordinate z is -inf, expected a finite number in single precision"),
-        ("v 1e39 0 0\n", "line 1: coordinate x is 1e39, expected a finite number in single precision"),
-        ("v 0 0 0\nf 1 1\n", "line 2: face with 2 corners, expected at least 3"),
-        ("v 0 0 0\nf\n", "line 2: face with 0 corners, expected at least 3"),
+        ("# a\nv 0 nan 0\nf 1 1 1", "line 2: coordinate y is NaN, expected a finite number in single precision"),
+        ("v 0 0 -inf\nf 1 1 1", "line 1: coordinate z is -inf, expected a finite number in single precision"),
+        ("v 1e39 0 0\nf 1 1 1", "line 1: coordinate x is 1e39, expected a finite number in single precision"),
+        (
+            "v 0 0 0\nf 1 1\nf\n",
+            "no triangles, expected at least one; 2 faces with fewer than 3 corners were skipped, the first in line 2",
+        ),
         ("f 1 1 1\n", "line 1: vertex index 1 is out of range, expected a vertex before the face"),
         ("f -1 1 1\n", "line 1: vertex index -1 is out of range, expected a vertex before the face"),
         ("v 0 0 0\n\nf 1 0 1\n", "line 3: vertex index 0 is out of range, expected 1 to 1 or -1 to -1"),

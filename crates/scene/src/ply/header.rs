@@ -1,6 +1,6 @@
 //! The header: which elements follow, and of which types.
 
-use crate::error::{Fault, ReadError};
+use crate::error::{Fault, Place, ReadError};
 use crate::text::{Lines, quote};
 use stackless_bvh::geom::MAX_COUNT;
 
@@ -28,6 +28,7 @@ pub(super) struct Element {
 pub(super) enum Kind {
     Vertex,
     Face,
+    Strip,
     Other,
 }
 
@@ -112,6 +113,7 @@ impl Draft {
         let kind = match name {
             "vertex" => Kind::Vertex,
             "face" => Kind::Face,
+            "tristrips" => Kind::Strip,
             _ => Kind::Other,
         };
         if kind != Kind::Other && self.elements.iter().any(|element| element.kind == kind) {
@@ -135,7 +137,9 @@ impl Draft {
             (Kind::Vertex, None, "x") => Property::Coordinate { axis: 0, scalar: item },
             (Kind::Vertex, None, "y") => Property::Coordinate { axis: 1, scalar: item },
             (Kind::Vertex, None, "z") => Property::Coordinate { axis: 2, scalar: item },
-            (Kind::Face, Some(length), "vertex_indices" | "vertex_index") => Property::Corners { length, item },
+            (Kind::Face | Kind::Strip, Some(length), "vertex_indices" | "vertex_index") => {
+                Property::Corners { length, item }
+            }
             (_, None, _) => Property::Scalar(item),
             (_, Some(length), _) => Property::List { length, item },
         };
@@ -164,15 +168,23 @@ impl Draft {
                 return Err(missing(&format!("scalar property {name} of element vertex")));
             }
         }
-        let face = kind(Kind::Face).ok_or_else(|| missing("element face"))?;
-        if !face.has_corners() {
-            return Err(missing("list property vertex_indices or vertex_index of element face"));
+        let faces: Vec<_> = [kind(Kind::Face), kind(Kind::Strip)].into_iter().flatten().collect();
+        if faces.is_empty() {
+            return Err(missing("element face or tristrips"));
+        }
+        if let Some(Element { name, .. }) = faces.iter().find(|element| !element.has_corners()) {
+            return Err(missing(&format!("list property vertex_indices or vertex_index of element {name}")));
         }
         Ok(Header { encoding, elements: self.elements })
     }
 }
 
 impl Element {
+    /// The place of one of them.
+    pub(super) fn place(&self, line: Option<u64>, index: u64) -> Place {
+        Place::Element { line, name: self.name.clone(), index, count: self.count }
+    }
+
     fn has_coordinate(&self, wanted: usize) -> bool {
         self.properties.iter().any(|p| matches!(p, Property::Coordinate { axis, .. } if *axis == wanted))
     }

@@ -30,7 +30,7 @@ impl<V: Position> LineReader<V> for Reader {
             let word = word.trim();
             // What is no number is not finite either.
             *number = Number::parse(word).unwrap_or(Number::exact(nan()));
-            check(number.value, column, || quote(word))?;
+            check(*number, column, || quote(word))?;
         }
         loaded.push(&numbers[..found])
     }

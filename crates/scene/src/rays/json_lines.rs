@@ -8,6 +8,7 @@ use stackless_bvh::geom::Real as _;
 use super::{COLUMNS, HitRow, LineReader, LoadedRays, RayFault, UNBOUNDED};
 use crate::float::{Float, Position};
 use crate::number::Number;
+use crate::text::of_json;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, bound = "F: Float")]
@@ -33,19 +34,11 @@ pub(super) struct Reader;
 impl<V: Position> LineReader<V> for Reader {
     fn read(&mut self, line: &str, loaded: &mut LoadedRays<V>) -> Result<(), RayFault> {
         let RayLine { origin: [ox, oy, oz], direction: [dx, dy, dz], tmin, tmax } =
-            serde_json::from_str(line).map_err(|error| RayFault::Object { found: in_line(&error) })?;
+            serde_json::from_str(line).map_err(|error| RayFault::Object { found: of_json(&error) })?;
         let columns = if (tmin, tmax) == (Number::default(), None) { UNBOUNDED } else { COLUMNS.len() };
         let tmax = tmax.unwrap_or(Number::exact(V::Real::INFINITY));
         loaded.push(&[ox, oy, oz, dx, dy, dz, tmin, tmax][..columns])
     }
-}
-
-/// What is wrong, with its column: which line it is, is known.
-fn in_line(error: &serde_json::Error) -> String {
-    const SHOWN: usize = 120;
-    let text = error.to_string();
-    let what = text.split(" at line ").next().unwrap_or_default();
-    format!("column {}: {}", error.column(), what.chars().take(SHOWN).collect::<String>())
 }
 
 pub(super) fn write<F: Float>(mut writer: impl Write, hits: impl Iterator<Item = HitRow<F>>) -> io::Result<()> {

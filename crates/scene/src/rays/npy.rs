@@ -32,10 +32,14 @@ pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Resul
     let refused = |found: String, expected| RayFileError::Array { file: file.into(), found, expected };
     let mut start = Vec::new();
     reader.take(8).read_to_end(&mut start).map_err(failed)?;
-    if start.len() < 8 || !start.starts_with(MAGIC) {
+    let Some([major, minor]) = start.strip_prefix(MAGIC).and_then(<[u8]>::first_chunk) else {
         return Err(refused(quote(&String::from_utf8_lossy(&start)), "an array as numpy.save writes it"));
-    }
-    let length_bytes = if start[6] == 1 { 2 } else { 4 };
+    };
+    let length_bytes = match (major, minor) {
+        (1, 0) => 2,
+        (2 | 3, 0) => 4,
+        _ => return Err(refused(format!("version {major}.{minor}"), "version 1.0, 2.0 or 3.0 of NPY")),
+    };
     let mut length = [0; 4];
     reader.read_exact(&mut length[..length_bytes]).map_err(failed)?;
     let length = u64::from(u32::from_le_bytes(length));

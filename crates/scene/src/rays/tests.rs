@@ -58,14 +58,35 @@ fn each_error_names_line_and_column() {
         ("0,0,0,0,0,1,0,1\n0,0,0,0,0,1\n", format!("line 2: 6 columns, expected 8 as above: {names}")),
         ("0,0,0,0,0,1\n0,0,0,0,0,1,0,1\n", format!("line 2: 8 columns, expected 6 as above: {names}")),
         ("0,0,0,0,0,1,0,1,\n", format!("line 1: 9 columns, expected 6 or 8: {names}")),
-        ("oy,ox,oz,dx,dy,dz,tmin,tmax\n", "line 1: column ox: found \"oy\", expected a finite number".into()),
-        ("0,0,0,0,0,1,0,\n", "line 1: column tmax: found \"\", expected a number or inf".into()),
-        ("0,0,0,0,0,1,0,nan\n", "line 1: column tmax: found \"nan\", expected a number or inf".into()),
-        ("0,0,0,0,0,1,0,-inf\n", "line 1: column tmax: found \"-inf\", expected a number or inf".into()),
-        ("0,0,0,0,0,1,inf,inf\n", "line 1: column tmin: found \"inf\", expected a finite number".into()),
-        ("0,0,nan,0,0,1,0,1\n", "line 1: column oz: found \"nan\", expected a finite number".into()),
-        ("0,0,0,1e39,0,1,0,1\n", "line 1: column dx: found \"1e39\", expected a finite number".into()),
-        ("0,0,0,0,0,1;0,0,1\n", "line 1: column dz: found \"1;0\", expected a finite number".into()),
+        (
+            "oy,ox,oz,dx,dy,dz,tmin,tmax\n",
+            "line 1: column ox: found \"oy\", expected a finite number in single precision".into(),
+        ),
+        ("0,0,0,0,0,1,0,\n", "line 1: column tmax: found \"\", expected a number or inf in single precision".into()),
+        (
+            "0,0,0,0,0,1,0,nan\n",
+            "line 1: column tmax: found \"nan\", expected a number or inf in single precision".into(),
+        ),
+        (
+            "0,0,0,0,0,1,0,-inf\n",
+            "line 1: column tmax: found \"-inf\", expected a number or inf in single precision".into(),
+        ),
+        (
+            "0,0,0,0,0,1,inf,inf\n",
+            "line 1: column tmin: found \"inf\", expected a finite number in single precision".into(),
+        ),
+        (
+            "0,0,nan,0,0,1,0,1\n",
+            "line 1: column oz: found \"nan\", expected a finite number in single precision".into(),
+        ),
+        (
+            "0,0,0,1e39,0,1,0,1\n",
+            "line 1: column dx: found \"1e39\", expected a finite number in single precision".into(),
+        ),
+        (
+            "0,0,0,0,0,1;0,0,1\n",
+            "line 1: column dz: found \"1;0\", expected a finite number in single precision".into(),
+        ),
         ("0,0,0,0,0,-0,0,1\n", "line 1: direction is zero".into()),
         ("0,0,0,0,0,1,-1,1\n", "line 1: tmin -1 is negative".into()),
         ("0,0,0,0,0,1,0,1\n0,0,0,0,0,1,2,1\n", "line 2: tmin 2 is greater than tmax 1".into()),
@@ -74,7 +95,10 @@ fn each_error_names_line_and_column() {
         assert_eq!(refusal(text), format!("rays.csv: {message}"), "{text}");
     }
     let twice = format!("{names}\n{names}\n");
-    assert_eq!(refusal(&twice), "rays.csv: line 2: column ox: found \"ox\", expected a finite number");
+    assert_eq!(
+        refusal(&twice),
+        "rays.csv: line 2: column ox: found \"ox\", expected a finite number in single precision"
+    );
     assert!(read_rays_from::<Vec3>(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv", Format::Csv).is_err());
 }
 
@@ -279,8 +303,19 @@ fn errors_of_arrays_and_objects_say_what_was_expected() {
     let mut nan = good.clone();
     let last = nan.len() - 8;
     nan[last..].copy_from_slice(&f64::NAN.to_le_bytes());
-    assert_eq!(refusal(Format::Npy, &nan), "rays: row 0: column tmax: found NaN, expected a number or inf");
+    assert_eq!(
+        refusal(Format::Npy, &nan),
+        "rays: row 0: column tmax: found NaN, expected a number or inf in single precision"
+    );
     assert!(refusal(Format::Npy, b"1,2,3").contains("expected an array as numpy.save writes it"));
+
+    for (version, shown) in [([0, 0], "0.0"), ([4, 0], "4.0"), ([1, 1], "1.1")] {
+        let mut bytes = good.clone();
+        bytes[6..8].copy_from_slice(&version);
+        let message = format!("rays: found version {shown}, expected version 1.0, 2.0 or 3.0 of NPY");
+        assert_eq!(refusal(Format::Npy, &bytes), message);
+    }
+    assert_eq!(refusal(Format::Csv, b"\xFF\xFE0\0"), "rays: found a text in UTF-16, expected one in UTF-8");
 
     let object = |text: &str| refusal(Format::JsonLines, text.as_bytes());
     assert!(object("{\"origin\":[1,2,3]}").contains("line 1: column 18: missing field `direction`"));
@@ -288,6 +323,28 @@ fn errors_of_arrays_and_objects_say_what_was_expected() {
     assert!(object("{\"origin\":[1,2,3],\"direction\":[0,0,0]}").contains("line 1: direction is zero"));
     assert!(object("{\"origin\":[1,2,1e39],\"direction\":[0,0,1]}").contains("line 1: column"));
     assert!(object("\n").contains("no rays, expected at least one line like {"));
+}
+
+/// It would be no bound at all.
+#[test]
+fn an_interval_that_is_finite_and_beyond_the_precision_is_refused() {
+    let double = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1e39_f64].map(f64::to_le_bytes).concat();
+    let header = format!("{:<117}\n", "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 8), }");
+    let array = [&b"\x93NUMPY\x01\0\x76\0"[..], header.as_bytes(), &double].concat();
+    let object = r#"{"origin":[0,0,0],"direction":[0,0,1],"tmax":1e39}"#;
+    for (format, bytes) in
+        [(Format::Csv, &b"0,0,0,0,0,1,0,1e39"[..]), (Format::JsonLines, object.as_bytes()), (Format::Npy, &array)]
+    {
+        let error = read_rays_from::<Vec3>(bytes, "rays", format).unwrap_err().to_string();
+        assert!(
+            error.contains("column tmax: found ") && error.ends_with("a number or inf in single precision"),
+            "{error}"
+        );
+        let rays = read_rays_from::<DVec3>(bytes, "rays", format).unwrap().rays;
+        assert_eq!(rays[0].tmax(), 1e39);
+    }
+    let far = read_rays_from::<DVec3>(&b"0,0,0,0,0,1,0,1e999"[..], "rays", Format::Csv).unwrap_err().to_string();
+    assert!(far.ends_with("column tmax: found \"1e999\", expected a number or inf in double precision"), "{far}");
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn texts_and_binary_files_hold_the_same_triangles() {
     let several =
         TEXT.replace(" facet normal 0 0 1\n  outer loop\n   vertex 1", "endsolid\nsolid\nfacet\nouter loop\nvertex 1");
     for bytes in [TEXT.into(), nameless.into(), several.into(), binary("anything"), binary("solid which is none\n")] {
-        let mesh = read_stl::<Vec3>(&bytes).unwrap();
+        let mesh = read_stl::<Vec3>(&bytes).unwrap().mesh;
         assert_eq!(mesh.triangles(), [[0, 1, 2], [1, 3, 2]], "{}", bytes.escape_ascii());
         assert_eq!(mesh.vertices(), [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(1.0, 1.0, 0.0)]);
     }
@@ -40,12 +40,15 @@ fn what_is_cut_or_wrong_is_refused_where_it_is() {
         }
     }
     let refusal = |bytes: &[u8]| read_stl::<Vec3>(bytes).unwrap_err().to_string();
-    assert_eq!(refusal(b""), "line 1: the file ends, expected solid, or 80 bytes and the number of triangles");
+    assert_eq!(refusal(b""), "line 1: found 0 bytes, expected solid, or 80 bytes and the number of triangles");
     let mut many = binary("x");
     many[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
     assert_eq!(refusal(&many), "triangle 2 (of 4294967295): the file ends, expected more triangles");
     many[80..84].copy_from_slice(&1_u32.to_le_bytes());
-    assert_eq!(refusal(&many), "after the last element: found 50 bytes, expected the end of the file");
+    let loaded = read_stl::<Vec3>(&many).unwrap();
+    assert_eq!(loaded.mesh.triangles().len(), 1);
+    let said = "50 bytes after the last triangle were skipped, the first at byte 134";
+    assert_eq!(loaded.notes.iter().map(ToString::to_string).collect::<Vec<_>>(), [said]);
     for (from, to, message) in [
         ("vertex 1 1 0", "vertex 1 1", "line 12: found the end of the line, expected 3 coordinates"),
         (

@@ -16,7 +16,7 @@ fn a_bad_header_is_named_by_its_line() {
         ("element vertex 4", "format ascii 1.0", "line 3: found \"format ascii 1.0\", expected one format only"),
         ("element vertex 4", "", "line 4: found \"property float x\", expected an element before its properties"),
         ("element vertex", "element vertices", "line 9: found the end of the header, expected element vertex"),
-        ("element face", "element faces", "line 9: found the end of the header, expected element face"),
+        ("element face", "element faces", "line 9: found the end of the header, expected element face or tristrips"),
         ("element face", "element vertex", "line 7: found a second element vertex, expected one only"),
         ("element vertex 4", "element vertex -4", "line 3: found \"-4\", expected a count up to 2147483647"),
         ("element vertex 4", huge, "line 3: found \"4000000000\", expected a count up to 2147483647"),
@@ -45,9 +45,9 @@ fn a_bad_header_is_named_by_its_line() {
         ("end_header", "end_headers", "line 9: found \"end_headers\", expected a statement of a PLY 1.0 header"),
         (
             "1.0",
-            "1.0 \u{7}and much more than fits into a line",
+            "1.0 \u{7}and much more than fits into a line, even into a long one of a message",
             "line 2: found \"format ascii 1.0 \\u{7}and much \
-            more than fit\"..., expected a statement of a PLY 1.0 header",
+            more than fits into a line, even into a long one of a\"..., expected a statement of a PLY 1.0 header",
         ),
     ];
     for (old, new, message) in cases {

@@ -1,7 +1,6 @@
 //! Where the nodes of a glTF document place their meshes, in double precision.
 //!
-//! The crate `gltf` has the numbers of nodes in single precision. Here they are the decimals of the document, and what
-//! rounding does to them is known after each sum and product.
+//! Numbers are the decimals of the document, and what rounding does to them is known after each sum and product.
 
 use serde::Deserialize;
 
@@ -13,41 +12,53 @@ type Real = Number<f64>;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Map([[Real; 3]; 4]);
 
-/// The nodes of a document.
+/// A node of a document.
 #[derive(Deserialize)]
-pub(super) struct Nodes {
+pub(super) struct Node {
+    pub(super) name: Option<String>,
+    pub(super) mesh: Option<usize>,
+    pub(super) skin: Option<usize>,
     #[serde(default)]
-    nodes: Vec<Node>,
+    pub(super) children: Vec<usize>,
+    #[serde(default)]
+    pub(super) extensions: Extensions,
+    matrix: Option<Box<[Real; 16]>>,
+    translation: Option<Box<[Real; 3]>>,
+    rotation: Option<Box<[Real; 4]>>,
+    scale: Option<Box<[Real; 3]>>,
 }
 
+/// What extensions say of a node.
+#[derive(Default, Deserialize)]
+pub(super) struct Extensions {
+    #[serde(rename = "EXT_mesh_gpu_instancing")]
+    pub(super) instancing: Option<Box<Instancing>>,
+}
+
+/// Further places of a node's mesh, below the node's own.
 #[derive(Deserialize)]
-struct Node {
-    matrix: Option<[Real; 16]>,
-    translation: Option<[Real; 3]>,
-    rotation: Option<[Real; 4]>,
-    scale: Option<[Real; 3]>,
+pub(super) struct Instancing {
+    pub(super) attributes: Places,
 }
 
-impl Nodes {
-    /// The map of a node.
-    pub(super) fn map(&self, index: usize) -> Map {
-        self.nodes.get(index).map_or(Map::IDENTITY, Node::map)
-    }
+/// Accessors of where the meshes are.
+#[derive(Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+pub(super) struct Places {
+    pub(super) translation: Option<usize>,
+    pub(super) rotation: Option<usize>,
+    pub(super) scale: Option<usize>,
 }
 
 const ZERO: Real = Number { value: 0.0, error: 0.0 };
 const ONE: Real = Number { value: 1.0, error: 0.0 };
 
 impl Node {
-    fn map(&self) -> Map {
-        if let Some(m) = self.matrix {
+    pub(super) fn map(&self) -> Map {
+        if let Some(m) = &self.matrix {
             return Map([0, 4, 8, 12].map(|first| [m[first], m[first + 1], m[first + 2]]));
         }
-        let scale = self.scale.unwrap_or([ONE; 3]);
-        let [x, y, z] = self.rotation.map_or(Map::IDENTITY.linear(), rotation);
-        let scaled = |column: [Real; 3], by: Real| column.map(|number| number * by);
-        let translation = self.translation.unwrap_or([ZERO; 3]);
-        Map([scaled(x, scale[0]), scaled(y, scale[1]), scaled(z, scale[2]), translation])
+        Map::of(self.translation.as_deref(), self.rotation.as_deref(), self.scale.as_deref())
     }
 }
 
@@ -69,6 +80,15 @@ fn rotation([x, y, z, w]: [Real; 4]) -> [[Real; 3]; 3] {
 
 impl Map {
     pub(super) const IDENTITY: Self = Self([[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE], [ZERO; 3]]);
+
+    /// A scaling, then a rotation, then a translation.
+    pub(super) fn of(translation: Option<&[Real; 3]>, turn: Option<&[Real; 4]>, scale: Option<&[Real; 3]>) -> Self {
+        let scale = scale.unwrap_or(&[ONE; 3]);
+        let [x, y, z] = turn.map_or(Self::IDENTITY.linear(), |turn| rotation(*turn));
+        let scaled = |column: [Real; 3], by: Real| column.map(|number| number * by);
+        let translation = translation.copied().unwrap_or([ZERO; 3]);
+        Self([scaled(x, scale[0]), scaled(y, scale[1]), scaled(z, scale[2]), translation])
+    }
 
     fn linear(self) -> [[Real; 3]; 3] {
         let [x, y, z, _] = self.0;

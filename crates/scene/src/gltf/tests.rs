@@ -1,5 +1,7 @@
 use super::*;
+use crate::Rounding;
 use crate::tests::Folder;
+use base64::prelude::{BASE64_STANDARD, Engine as _};
 use glam::{DVec3, Vec3};
 
 /// Two nodes, one below the other, with the mesh of a triangle each; its bytes are `buffer`.
@@ -42,7 +44,7 @@ fn nodes_move_their_meshes_and_those_below() {
     let place = folder.file("a b.bin");
     let beside = document(r#""uri":"a%20b.bin","#);
     for bytes in [embedded().into_bytes(), binary(), beside.into_bytes()] {
-        let mesh = read_gltf::<Vec3>(&bytes, place.parent()).unwrap();
+        let mesh = read_gltf::<Vec3>(&bytes, place.parent()).unwrap().mesh;
         assert_eq!(mesh.triangles(), [[0, 1, 2], [3, 4, 5]]);
         let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| axis * 2.0);
         let corner = Vec3::new(10.0, 0.0, 0.0);
@@ -58,7 +60,7 @@ fn nodes_are_read_in_double_precision_and_what_they_round_is_counted() {
             assert_eq!(text.matches(from).count(), 1, "{from}");
             text.replace(from, to)
         };
-        load(changes.iter().fold(embedded(), change).as_bytes(), None).unwrap()
+        read_gltf(changes.iter().fold(embedded(), change).as_bytes(), None).unwrap()
     }
     let counts = |rounding: Rounding| (rounding.rounded, rounding.numbers);
     // What decimals and steps leave alone is not counted.
@@ -91,7 +93,7 @@ fn strips_and_fans_are_triangles_and_points_are_not() {
     let with = |mode: &str| {
         let text = embedded().replace(r#""indices":1"#, mode);
         read_gltf::<Vec3>(text.as_bytes(), None)
-            .map(|mesh| mesh.triangles().to_vec())
+            .map(|loaded| loaded.mesh.triangles().to_vec())
             .map_err(|error| error.to_string())
     };
     for mode in [r#""mode":4"#, r#""mode":5"#, r#""mode":6"#] {
@@ -107,17 +109,21 @@ fn what_is_not_read_is_counted() {
             assert_eq!(text.matches(from).count(), 1, "{from}");
             text.replace(from, to)
         });
-        load::<Vec3>(text.as_bytes(), None).unwrap().note("a.gltf".as_ref())
+        read_gltf::<Vec3>(text.as_bytes(), None).unwrap().note("a.gltf".as_ref())
     };
     assert_eq!(note(&[]), None);
     let lines = (r#""indices":1}"#, r#""indices":1},{"attributes":{"POSITION":0},"mode":1}"#);
     let morphs = (r#""indices":1"#, r#""indices":1,"targets":[{"POSITION":0}]"#);
     let skin = (r#"{"mesh":0,"children""#, r#"{"skin":0,"mesh":0,"children""#);
     let skins = (r#""asset":"#, r#""skins":[{"joints":[1]}],"asset":"#);
-    assert_eq!(note(&[lines]).unwrap(), "a.gltf: not read: 2 primitives of points or lines");
+    assert_eq!(
+        note(&[lines]).unwrap(),
+        "a.gltf: 2 primitives of points or lines were skipped, the first in node 0 (of 2)"
+    );
     assert_eq!(
         note(&[lines, morphs, skin, skins]).unwrap(),
-        "a.gltf: not read: 2 primitives of points or lines, 3 skins and sets of morph targets"
+        "a.gltf: 1 skin was not applied, the first in node 0 (of 2); 2 sets of morph targets were not applied, the first \
+         in node 0 (of 2); 2 primitives of points or lines were skipped, the first in node 0 (of 2)"
     );
 }
 
@@ -144,15 +150,19 @@ fn what_is_cut_or_wrong_is_refused_in_one_line() {
             r#""children":[0]"#,
             "node 0 (of 2): found a node below two others, expected one above each",
         ),
-        (r#""count":3,"type":"VEC3""#, r#""count":4,"type":"VEC3""#, "accessor 0 beyond its buffer"),
+        (
+            r#""count":3,"type":"VEC3""#,
+            r#""count":4,"type":"VEC3""#,
+            "accessor 0 beyond buffer view 0, expected an end within its 36 bytes",
+        ),
         (r#""count":3,"type":"VEC3""#, r#""count":18446744073709551615,"type":"VEC3""#, "node 0 (of 2): "),
         (r#""count":3,"type":"SCALAR""#, r#""count":2,"type":"SCALAR""#, "found 2 corners, expected three for each"),
         (r#""byteOffset":36"#, r#""byteOffset":30"#, "vertex index"),
         (r#""byteLength":42"#, r#""byteLength":43"#, "buffer 0 (of 1): found 42 bytes, expected 43"),
         (r#""scale":[2,2,2]"#, r#""scale":[3e38,2,2]"#, ""),
         (r#""translation":[10,0,0]"#, r#""translation":[3e38,0,0],"rotation":[0,0,0,1]"#, ""),
-        (r#""scenes":[{"nodes":[0]}]"#, r#""scenes":[]"#, "glTF 2.0 document"),
-        (r#""version":"2.0""#, r#""version":"3.0""#, ""),
+        (r#""scenes":[{"nodes":[0]}]"#, r#""scenes":[]"#, "the document: found no scene, expected scene 0"),
+        (r#""version":"2.0""#, r#""version":"3.0""#, "the document: found version \"3.0\", expected glTF 2.0"),
     ] {
         let text = embedded().replace(from, to);
         let error = read_gltf::<Vec3>(text.as_bytes(), None).map_or_else(|error| error.to_string(), |_| String::new());

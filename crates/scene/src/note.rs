@@ -1,0 +1,92 @@
+//! What was not taken of a file as it stands.
+
+use std::fmt;
+
+/// Things of one kind that a reader skipped or changed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// Their kind.
+    pub kind: NoteKind,
+    /// How many there are.
+    pub count: u64,
+    /// Where the first one is, such as `in line 3`.
+    pub first: String,
+}
+
+/// What can be skipped or changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoteKind {
+    /// A statement that OBJ does not have.
+    UnknownStatement,
+    /// An OBJ statement of points, lines, curves or surfaces, or one that names another file with such.
+    OtherStatement,
+    /// An element of a PLY file that is neither vertex, face nor strip.
+    OtherElement,
+    /// A glTF primitive of points or lines.
+    OtherPrimitive,
+    /// A face or strip of fewer than three corners.
+    FewCorners,
+    /// A polygon without a triangulation: it crosses itself, or has too many corners for the search.
+    Crossing,
+    /// A vertex that is not finite and that no face uses. It is moved to a vertex that is used.
+    UnusedVertex,
+    /// A byte after the last triangle of a binary STL file.
+    TrailingByte,
+    /// A skin of a glTF node. Its mesh stays where the node puts it.
+    Skin,
+    /// A glTF primitive with morph targets. It has its base shape.
+    Morph,
+    /// A glTF extension that this reader does not know, and that the file does not require.
+    Extension,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { kind, count, first } = self;
+        let (one, many, done) = match kind {
+            NoteKind::UnknownStatement => {
+                ("statement that OBJ does not have", "statements that OBJ does not have", "skipped")
+            }
+            NoteKind::OtherStatement => (
+                "statement of points, lines, curves or surfaces",
+                "statements of points, lines, curves or surfaces",
+                "skipped",
+            ),
+            NoteKind::OtherElement => ("element of another kind", "elements of other kinds", "skipped"),
+            NoteKind::OtherPrimitive => ("primitive of points or lines", "primitives of points or lines", "skipped"),
+            NoteKind::FewCorners => ("face with fewer than 3 corners", "faces with fewer than 3 corners", "skipped"),
+            NoteKind::Crossing => (
+                "polygon that crosses itself or has too many corners",
+                "polygons that cross themselves or have too many corners",
+                "cut as a fan",
+            ),
+            NoteKind::UnusedVertex => (
+                "vertex that no face uses and that is not finite",
+                "vertices that no face uses and that are not finite",
+                "moved into the mesh",
+            ),
+            NoteKind::TrailingByte => ("byte after the last triangle", "bytes after the last triangle", "skipped"),
+            NoteKind::Skin => ("skin", "skins", "not applied"),
+            NoteKind::Morph => ("set of morph targets", "sets of morph targets", "not applied"),
+            NoteKind::Extension => ("unknown extension", "unknown extensions", "ignored"),
+        };
+        let (what, were) = if *count == 1 { (one, "was") } else { (many, "were") };
+        write!(f, "{count} {what} {were} {done}, the first {first}")
+    }
+}
+
+/// The notes of a reader, one of each kind.
+#[derive(Debug, Default)]
+pub(crate) struct Notes(pub(crate) Vec<Note>);
+
+impl Notes {
+    /// Counts more things of a kind; `first` says where they are.
+    pub(crate) fn add(&mut self, kind: NoteKind, count: u64, first: impl FnOnce() -> String) {
+        match self.0.iter_mut().find(|note| note.kind == kind) {
+            Some(note) => note.count += count,
+            None if count > 0 => self.0.push(Note { kind, count, first: first() }),
+            None => {}
+        }
+    }
+}
