@@ -72,8 +72,7 @@ impl<V: Precision> Scene<V> {
             _ => return Err(Fault::argument(format!("rule: {rule}, expected a STACKLESS_RULE constant, 0 to 2"))),
         };
         check_environment()?;
-        let tracer = self.tracer();
-        let solid = Solid::new(&tracer, self.mesh(), self.boundary(), rule)?;
+        let solid = Solid::new(self.tracer(), self.mesh(), self.boundary(), rule)?;
         self.batch(locations, flags, |range| {
             let locate = |index| {
                 let place = solid.locate(V::from_components(points.get(index)));
