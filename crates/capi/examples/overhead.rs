@@ -4,22 +4,24 @@
 //! `cargo run --release -p stackless-capi --example overhead -- target/release/libstackless.so`
 
 #![allow(unsafe_code, reason = "it calls C")]
+#![allow(clippy::needless_for_each, clippy::semicolon_if_nothing_returned, reason = "a loop in a line each")]
 
 use std::error::Error;
 use std::ffi::c_void;
 use std::hint::black_box;
-use std::{array, env, ptr};
+use std::{env, ptr};
 
 use cpu_time::ThreadTime;
 use glam::{DVec3, Vec3};
 use libloading::Library;
-use stackless_bvh::generate::procedural::{self, View};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Mesh, Ray, Vector};
 use stackless_bvh::trace::{RayQueries as _, Tracer};
 
 const RAYS: usize = 1 << 16;
 const ROUNDS: usize = 9;
+
+type Real<V> = <V as Vector>::Real;
 
 /// As in `stackless.h`.
 #[repr(C)]
@@ -49,23 +51,40 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = env::args().nth(1).ok_or("usage: overhead PATH of libstackless.so")?;
     // SAFETY: it has no code that runs when it is loaded.
     let library = unsafe { Library::new(path) }?;
-    println!("| scene | precision | closest1 | closest_n | any1 | any_n |\n|---|---|---:|---:|---:|---:|");
-    for (name, mesh) in [("strands", procedural::strands(1, 2000)), ("soup", procedural::soup(1, 100_000))] {
-        let rays = View::of(&mesh).rays(RAYS);
-        run::<Vec3>(&library, name, &mesh, &rays)?;
-        let vertices = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
-        let double = |ray: &Ray| {
-            Ray::within(ray.origin().as_dvec3(), ray.direction().as_dvec3(), ray.tmin().into(), ray.tmax().into())
-        };
-        let rays = rays.iter().map(double).collect::<Result<Vec<_>, _>>()?;
-        run::<DVec3>(&library, name, &Mesh::new(vertices, mesh.triangles().to_vec())?, &rays)?;
-    }
-    Ok(())
+    println!("| precision | Rust | closest1 | closest_n | any1 | any_n |\n|---|---|---:|---:|---:|---:|");
+    run::<Vec3>(&library)?;
+    run::<DVec3>(&library)
+}
+
+type Scene<V> = (Mesh<V>, Vec<Ray<V>>);
+
+/// Hills, and rays that come down on them from all sides.
+fn scene<V: Vector>() -> Result<Scene<V>, Box<dyn Error>> {
+    const SIDE: u32 = 256;
+    let at = |i: u32, j: u32| {
+        let [x, y] = [i, j].map(|i| i as f32 / SIDE as f32);
+        V::from(Vec3::new(x, y, 0.1 * (20.0 * x).sin() * (17.0 * y).cos()))
+    };
+    let grid = |side: u32| (0..side * side).map(move |i| (i / side, i % side));
+    let vertices = grid(SIDE + 1).map(|(i, j)| at(i, j)).collect();
+    let corner = |i: u32, j: u32| i * (SIDE + 1) + j;
+    let cell = |(i, j)| {
+        let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    let mesh = Mesh::new(vertices, grid(SIDE).flat_map(cell).collect())?;
+    let ray = |i: usize| {
+        // A sequence that spreads evenly over four dimensions.
+        let [x, y, dx, dy] = [0.857, 0.734, 0.629, 0.539].map(|step| (i as f32 * step).fract());
+        Ray::new(V::from(Vec3::new(x, y, 0.5)), V::from(Vec3::new(dx - 0.5, dy - 0.5, -0.5)))
+    };
+    Ok((mesh, (0..RAYS).map(ray).collect::<Result<_, _>>()?))
 }
 
 /// Prints the speed through C as a share of that in Rust.
-fn run<V: Precision>(library: &Library, name: &str, mesh: &Mesh<V>, rays: &[Ray<V>]) -> Result<(), Box<dyn Error>> {
-    type Real<V> = <V as Vector>::Real;
+fn run<V: Precision>(library: &Library) -> Result<(), Box<dyn Error>> {
+    let (mesh, rays) = scene::<V>()?;
+    let (mesh, rays) = (&mesh, &*rays);
     let suffix = if size_of::<Real<V>>() == 4 { "f" } else { "d" };
     let symbol = |name: &str| format!("stackless_{name}_{suffix}\0");
     let tracer = Tracer::of(mesh)?;
@@ -74,13 +93,19 @@ fn run<V: Precision>(library: &Library, name: &str, mesh: &Mesh<V>, rays: &[Ray<
         let (origin, direction) = (ray.origin().components(), ray.direction().components());
         RawRay { origin, tmin: ray.tmin(), direction, tmax: ray.tmax() }
     };
-    let raws: Vec<_> = rays.iter().map(raw).collect();
-    let mut scene = ptr::null_mut();
-    let mut hits =
-        vec![RawHit { t: Real::<V>::default(), u: Real::<V>::default(), v: Real::<V>::default(), face: 0 }; raws.len()];
-    let mut are_hit = vec![false; raws.len()];
+    let plain: Vec<_> = rays.iter().map(raw).collect();
+    let mut handle = ptr::null_mut();
+    let zero = Real::<V>::default();
+    let mut hits = vec![RawHit { t: zero, u: zero, v: zero, face: 0 }; RAYS];
+    let mut are_hit = vec![false; RAYS];
+    // Of rays that are made before, of those that Rust makes of the same numbers, and through C.
+    let [mut rust, mut with_made, mut c] = [[f64::INFINITY; 4]; 3];
+    let checked = |ray: &RawRay<Real<V>>| {
+        let [origin, direction] = [ray.origin, ray.direction].map(V::from_components);
+        Ray::within(origin, direction, ray.tmin, ray.tmax).ok()
+    };
+    let all_checked = || plain.iter().map(checked).collect::<Option<Vec<_>>>().unwrap_or_default();
     // SAFETY: the types are those of the header, and arrays are as long as the calls say.
-    let (mut rust, mut c) = ([f64::INFINITY; 4], [f64::INFINITY; 4]);
     unsafe {
         let new = library.get::<New<Real<V>>>(symbol("scene_new").as_bytes())?;
         let closest1 = *library.get::<One<Real<V>, RawHit<Real<V>>>>(symbol("closest1").as_bytes())?;
@@ -96,27 +121,39 @@ fn run<V: Precision>(library: &Library, name: &str, mesh: &Mesh<V>, rays: &[Ray<
             12,
             faces.len(),
             ptr::null(),
-            &raw mut scene,
+            &raw mut handle,
         );
         assert_eq!(error, 0);
-        let (ray, hit) = (size_of::<RawRay<Real<V>>>(), size_of::<RawHit<Real<V>>>());
         for _ in 0..ROUNDS {
-            best(&mut rust[0], || rays.iter().for_each(|ray| drop(black_box(tracer.closest(ray)))));
-            best(&mut c[0], || raws.iter().zip(&mut hits).for_each(|(ray, hit)| drop(closest1(scene, ray, hit))));
-            best(&mut rust[1], || drop(black_box(tracer.closest_each(rays))));
-            best(&mut c[1], || drop(closest_n(scene, raws.as_ptr(), ray, raws.len(), hits.as_mut_ptr(), hit, 0)));
-            best(&mut rust[2], || rays.iter().for_each(|ray| drop(black_box(tracer.any(ray)))));
-            best(&mut c[2], || raws.iter().zip(&mut are_hit).for_each(|(ray, is_hit)| drop(any1(scene, ray, is_hit))));
-            best(&mut rust[3], || drop(black_box(tracer.any_each(rays))));
-            best(&mut c[3], || drop(any_n(scene, raws.as_ptr(), ray, raws.len(), are_hit.as_mut_ptr(), 1, 0)));
+            let (first, bytes) = (plain.as_ptr(), [size_of::<RawRay<Real<V>>>(), size_of::<RawHit<Real<V>>>()]);
+            best(&mut rust[0], || rays.iter().for_each(|ray| _ = black_box(tracer.closest(ray))));
+            best(&mut with_made[0], || {
+                plain.iter().for_each(|ray| _ = black_box(checked(ray).map(|ray| tracer.closest(&ray))))
+            });
+            best(&mut c[0], || plain.iter().zip(&mut hits).for_each(|(ray, hit)| _ = closest1(handle, ray, hit)));
+            best(&mut rust[1], || _ = black_box(tracer.closest_each(rays)));
+            best(&mut with_made[1], || _ = black_box(tracer.closest_each(&all_checked())));
+            best(&mut c[1], || _ = closest_n(handle, first, bytes[0], RAYS, hits.as_mut_ptr(), bytes[1], 0));
+            best(&mut rust[2], || rays.iter().for_each(|ray| _ = black_box(tracer.any(ray))));
+            best(&mut with_made[2], || {
+                plain.iter().for_each(|ray| _ = black_box(checked(ray).map(|ray| tracer.any(&ray))))
+            });
+            best(&mut c[2], || plain.iter().zip(&mut are_hit).for_each(|(ray, it)| _ = any1(handle, ray, it)));
+            best(&mut rust[3], || _ = black_box(tracer.any_each(rays)));
+            best(&mut with_made[3], || _ = black_box(tracer.any_each(&all_checked())));
+            best(&mut c[3], || _ = any_n(handle, first, bytes[0], RAYS, are_hit.as_mut_ptr(), 1, 0));
         }
     }
     for ((found, hit), is_hit) in tracer.closest_each(rays).into_iter().zip(&hits).zip(are_hit) {
         assert_eq!(found.map_or(u32::MAX, |found| found.prim), hit.face);
         assert_eq!(found.is_some(), is_hit);
     }
-    let [a, b, c, d] = array::from_fn(|i| rust[i] / c[i]);
-    println!("| {name} | {suffix} | {a:.3} | {b:.3} | {c:.3} | {d:.3} |");
+    for (name, rust) in [("traces", rust), ("makes rays and traces", with_made)] {
+        let shares = rust.iter().zip(c).map(|(rust, c)| format!(" {:.3} |", rust / c));
+        println!("| {suffix} | {name} |{}", shares.collect::<String>());
+    }
+    let nanoseconds = c.map(|time| format!(" {:.0} |", 1e9 * time / RAYS as f64));
+    println!("| {suffix} | nanoseconds of C |{}", nanoseconds.concat());
     Ok(())
 }
 

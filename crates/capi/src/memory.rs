@@ -76,15 +76,17 @@ pub(crate) unsafe fn values<'a, T: Copy>(name: &'static str, first: *mut T, coun
     unsafe { Out::new(name, first, size_of::<T>(), count) }
 }
 
+#[inline]
 fn check<T>(pointer: *const T, name: &str) -> Result<(), Fault> {
+    if pointer.is_null() || !pointer.is_aligned() { Err(refused(pointer, name)) } else { Ok(()) }
+}
+
+#[cold]
+fn refused<T>(pointer: *const T, name: &str) -> Fault {
     if pointer.is_null() {
-        return Err(Fault::argument(format!("{name}: null, expected a pointer")));
+        return Fault::argument(format!("{name}: null, expected a pointer"));
     }
-    if !pointer.is_aligned() {
-        let alignment = align_of::<T>();
-        return Err(Fault::argument(format!("{name}: address {pointer:p}, expected a multiple of {alignment}")));
-    }
-    Ok(())
+    Fault::argument(format!("{name}: address {pointer:p}, expected a multiple of {}", align_of::<T>()))
 }
 
 /// Where elements are: the first, and how many bytes it is from each to the next.
@@ -113,6 +115,11 @@ impl Layout {
             return Err(Fault::argument(format!("{name}: {count} elements, a stride of {stride}, {expected}")));
         }
         Ok(Self { stride, count })
+    }
+
+    /// That of one element.
+    fn one<T>() -> Self {
+        Self { stride: size_of::<T>(), count: 1 }
     }
 
     /// The offset of an element in bytes, which is within the array.
@@ -151,9 +158,8 @@ impl<T: Copy> In<'_, T> {
     /// # Safety
     /// As [`new`](Self::new).
     pub(crate) unsafe fn one(name: &'static str, pointer: *const T) -> Result<Self, Fault> {
-        // SAFETY: as the caller promises.
-        let array = unsafe { Self::new(name, pointer, size_of::<T>(), 1) }?;
-        Ok(Self { name: (name, true), ..array })
+        check(pointer, name)?;
+        Ok(Self { first: pointer, layout: Layout::one::<T>(), name: (name, true), borrowed: PhantomData })
     }
 
     pub(crate) fn count(&self) -> usize {
@@ -212,8 +218,8 @@ impl<T: Copy> Out<'_, T> {
     /// # Safety
     /// As [`new`](Self::new).
     pub(crate) unsafe fn one(name: &'static str, pointer: *mut T) -> Result<Self, Fault> {
-        // SAFETY: as the caller promises.
-        unsafe { Self::new(name, pointer, size_of::<T>(), 1) }
+        check(pointer, name)?;
+        Ok(Self { first: pointer, layout: Layout::one::<T>(), borrowed: PhantomData })
     }
 
     pub(crate) fn count(&self) -> usize {

@@ -1,6 +1,7 @@
 //! Queries of one ray, and of arrays of rays and points.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::lanes::Precision;
@@ -92,7 +93,7 @@ impl<V: Precision> Scene<V> {
         rule: u32,
         answers: Out<'_, A>,
         flags: u32,
-        ask: impl Fn(&Solid<'_, Tracer<&WideBvh<8, V>, V>, V>, V) -> Result<A, RayError> + Sync,
+        ask: impl Fn(&Solid<'_, Tracer<Arc<WideBvh<8, V>>, V>, V>, V) -> Result<A, RayError> + Sync,
     ) -> Result<(), Fault> {
         let rule = match rule {
             STACKLESS_RULE_PARITY => Rule::Parity,
@@ -101,8 +102,7 @@ impl<V: Precision> Scene<V> {
             _ => return Err(Fault::argument(format!("rule: {rule}, expected a STACKLESS_RULE constant, 0 to 2"))),
         };
         check_environment()?;
-        let tracer = self.tracer();
-        let solid = Solid::new(&tracer, self.mesh(), self.boundary(), rule)?;
+        let solid = Solid::new(self.tracer(), self.mesh(), self.boundary(), rule)?;
         self.batch(answers, flags, |range| {
             let answer = |index| {
                 let answer = ask(&solid, V::from_components(points.get(index)));

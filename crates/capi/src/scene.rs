@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, Vec3};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -22,7 +22,9 @@ use crate::types::{
 #[derive(Debug)]
 pub struct Scene<V: Precision> {
     mesh: Mesh<V>,
-    bvh: WideBvh<8, V>,
+    bvh: Arc<WideBvh<8, V>>,
+    /// Over the hierarchy. It is kept, since the processor is asked for its instructions when it is made.
+    tracer: Tracer<Arc<WideBvh<8, V>>, V>,
     /// What the edges say; found when it is first needed.
     boundary: OnceLock<Boundary>,
     /// Its own threads; else those of the process.
@@ -48,7 +50,12 @@ impl<V: Precision + Stored> Scene<V> {
         let mesh = Mesh::new(vectors::<V>(vertices)?, faces.into_iter().map(|Anywhere(face)| face).collect())?;
         let options = BuildOptions { builder, ..BuildOptions::default() };
         let bvh = shared(pool.as_ref(), || options.build_wide(&mesh))?;
-        Ok(Self { mesh, bvh, boundary: OnceLock::new(), pool })
+        Ok(Self::of(mesh, bvh, pool))
+    }
+
+    fn of(mesh: Mesh<V>, bvh: WideBvh<8, V>, pool: Option<ThreadPool>) -> Self {
+        let bvh = Arc::new(bvh);
+        Self { mesh, tracer: Tracer::new(Arc::clone(&bvh)), bvh, boundary: OnceLock::new(), pool }
     }
 
     /// Moves the vertices.
@@ -58,8 +65,12 @@ impl<V: Precision + Stored> Scene<V> {
             return Err(Fault::argument(format!("vertex_count: {found}, expected {expected} as the scene has")));
         }
         let mesh = Mesh::new(vectors::<V>(vertices)?, self.mesh.triangles().to_vec())?;
-        let Self { bvh, pool, .. } = self;
-        shared(pool.as_ref(), || bvh.refit(&mesh))?;
+        let Self { bvh, tracer, pool, .. } = self;
+        // Nothing else shares the hierarchy then, so that it is not copied.
+        *tracer = Tracer::new(Arc::new(WideBvh::empty()));
+        let refitted = shared(pool.as_ref(), || Arc::make_mut(bvh).refit(&mesh));
+        *tracer = Tracer::new(Arc::clone(bvh));
+        refitted?;
         (self.mesh, self.boundary) = (mesh, OnceLock::new());
         Ok(())
     }
@@ -71,7 +82,7 @@ impl<V: Precision + Stored> Scene<V> {
     pub(crate) fn from_bytes(bytes: &[u8], threads: u32) -> Result<Self, Fault> {
         let pool = pool(threads)?;
         let (mesh, bvh) = shared(pool.as_ref(), || scene_from_bytes(bytes))?;
-        Ok(Self { mesh, bvh, boundary: OnceLock::new(), pool })
+        Ok(Self::of(mesh, bvh, pool))
     }
 
     /// Writes a file, whole or not at all.
@@ -92,8 +103,8 @@ impl<V: Precision> Scene<V> {
         &self.mesh
     }
 
-    pub(crate) fn tracer(&self) -> Tracer<&WideBvh<8, V>, V> {
-        Tracer::new(&self.bvh)
+    pub(crate) fn tracer(&self) -> &Tracer<Arc<WideBvh<8, V>>, V> {
+        &self.tracer
     }
 
     /// Two threads that come at once both look, and find the same. Neither waits for the other.

@@ -225,6 +225,28 @@ static void meshes(void)
     OK(CALL(scene_free)(scene));
 }
 
+/* After a refit the edges are looked at again: here each face has vertices of its own, of which one moves away. */
+static void opened_by_refit(void)
+{
+    scene_t *scene;
+    real corners[36][3];
+    uint32_t faces[12][3];
+    uint8_t place;
+    const real point[3] = {0, 0, 0};
+    for (uint32_t i = 0; i < 36; i++) {
+        memcpy(corners[i], CUBE[CUBE_FACES[i / 3][i % 3]], sizeof corners[i]);
+        faces[i / 3][i % 3] = i;
+    }
+    OK(CALL(scene_new)(corners[0], VERTEX, 36, faces[0], FACE, 12, NULL, &scene));
+    OK(CALL(locate_n)(scene, point, VERTEX, 1, STACKLESS_RULE_NONZERO, &place, 1, 0));
+    CHECK(place == STACKLESS_INSIDE);
+    corners[35][0] += 1;
+    OK(CALL(scene_refit)(scene, corners[0], VERTEX, 36));
+    REFUSED(UNSUITABLE_MESH, "the mesh is open",
+            CALL(locate_n)(scene, point, VERTEX, 1, STACKLESS_RULE_NONZERO, &place, 1, 0));
+    OK(CALL(scene_free)(scene));
+}
+
 /* Valgrind does not do other roundings. */
 static void roundings(scene_t *scene)
 {
@@ -248,6 +270,7 @@ int main(int count, char **arguments)
     small_buffers(scene);
     garbage(scene, arguments[1]);
     meshes();
+    opened_by_refit();
     if (count == 2) {
         roundings(scene);
     }
