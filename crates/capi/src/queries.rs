@@ -83,7 +83,7 @@ impl<V: Precision> Scene<V> {
         distances: Out<'_, Real<V>>,
         flags: u32,
     ) -> Result<(), Fault> {
-        self.of_solid(points, rule, distances, flags, |solid, point| solid.signed_distance(point))
+        self.of_solid(points, rule, distances, flags, Solid::signed_distance)
     }
 
     /// Asks the solid that the mesh bounds about points.

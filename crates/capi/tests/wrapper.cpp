@@ -63,7 +63,8 @@ template <class Real> static void run(const std::string& file)
     const std::vector<std::array<Real, 3>> points = {{1, 1, 1}, {9, 9, 9}, {1, 1, 0}};
     CHECK((made.locate_n(points) == std::vector<location>{location::inside, location::outside, location::surface}));
     CHECK(made.locate({1, 1, 1}, stackless::rule::winding) == location::inside);
-    CHECK(made.signed_distances_n(points)[0] == -1 && made.signed_distances_n(points)[2] == 0);
+    const auto distances = made.signed_distances_n(points);
+    CHECK(distances[0] > -0.58 && distances[0] < -0.57 && distances[1] > 13 && distances[2] == 0);
     const auto nears = made.nearest_n(points, 2);
     CHECK(nears[2].distance == 0 && nears[2].face == 0 && nears[1].face == STACKLESS_NO_FACE);
     // More hits than the first buffer holds.
