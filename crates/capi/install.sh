@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds libstackless and installs it on Linux, with its headers and what pkg-config and CMake look for: install.sh PREFIX
+# Builds libstackless and installs it on Linux, with its headers and files for pkg-config and CMake: install.sh PREFIX
 set -euo pipefail
 if (($# != 1)); then
     echo "usage: $0 PREFIX" >&2

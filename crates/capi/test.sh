@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds libstackless, and checks it through C and C++ with gcc and clang, under sanitizers and valgrind, and as installed.
+# Builds libstackless, and checks it in C and C++: gcc and clang, sanitizers and valgrind, and as it is installed.
 # UPDATE=1 first writes what is made of other files: src/single.rs and include/stackless.h.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
@@ -42,13 +42,15 @@ read -ra shared <<< "$(pkg-config --cflags --libs stackless)"
 static=(-I "$installed/include" "$installed/lib/libstackless.a" -lpthread -ldl -lm)
 sanitize=(-g -fsanitize=address,undefined -fno-sanitize-recover=all)
 # Threads of the library do not end before the program does, and so their memory is not freed.
-memcheck=(valgrind --quiet --error-exitcode=1 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite)
+memcheck=(valgrind --quiet --error-exitcode=1 --leak-check=full)
+memcheck+=(--show-leak-kinds=definite --errors-for-leak-kinds=definite)
 
 for c in gcc clang; do
     for precision in -DDOUBLE -DSINGLE; do
         for test in answers hostile; do
-            "$c" "${warnings[@]}" -std=c11 "$precision" "tests/$test.c" -o "$made/$test" "${shared[@]}" -lpthread -lm
-            "$c" "${warnings[@]}" -std=c11 "$precision" "${sanitize[@]}" "tests/$test.c" -o "$made/$test-asan" "${static[@]}"
+            build=("$c" "${warnings[@]}" -std=c11 "$precision" "tests/$test.c")
+            "${build[@]}" -o "$made/$test" "${shared[@]}" -lpthread -lm
+            "${build[@]}" -o "$made/$test-asan" "${sanitize[@]}" "${static[@]}"
         done
         "$made/answers" "$made/scene"
         "$made/answers-asan" "$made/scene"

@@ -63,9 +63,12 @@ void add_sphere(assembly& made, double radius, std::array<volume, 2> sides)
     for (int i = 0; i <= across; i++) {
         for (int j = 0; j < (i % across == 0 ? 1 : around); j++) {
             const double a = pi * i / across, b = 2 * pi * j / around;
-            const point p = {radius * std::sin(a) * std::cos(b), radius * std::sin(a) * std::sin(b), radius * std::cos(a)};
-            made.vertices.push_back({std::round(p[0] / grid) * grid, std::round(p[1] / grid) * grid,
-                                     std::round(p[2] / grid) * grid});
+            const point exact = {std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)};
+            point rounded;
+            for (int k = 0; k < 3; k++) {
+                rounded[k] = std::round(radius * exact[k] / grid) * grid;
+            }
+            made.vertices.push_back(rounded);
         }
     }
     const auto vertex = [&](int i, int j) {
@@ -171,7 +174,9 @@ int main(int count, char** arguments)
     }
     std::mt19937_64 random(1);
     const auto below = [&](std::size_t n) { return random() % n; };
-    const auto coordinate = [&](int half) { return (static_cast<double>(below(2048 * half + 1)) - 1024 * half) * grid; };
+    const auto coordinate = [&](int half) {
+        return (static_cast<double>(below(2048 * half + 1)) - 1024 * half) * grid;
+    };
     long lost = 0, events = 0;
     for (long i = 0; i < particles; i++) {
         scene::ray ray = {{coordinate(3), coordinate(1), coordinate(1)}, 0, {0, 0, 0},
@@ -200,7 +205,7 @@ int main(int count, char** arguments)
         }
         lost += is_lost(cells, ray, events);
     }
-    std::printf("%zu faces, %d volumes, %ld particles, %ld steps, %ld lost\n", all.faces.size(), int{volumes}, particles,
-                events, lost);
+    std::printf("%zu faces, %d volumes, %ld particles, %ld steps, %ld lost\n", all.faces.size(), int{volumes},
+                particles, events, lost);
     return lost != 0;
 }
