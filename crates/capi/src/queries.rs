@@ -87,13 +87,13 @@ impl<V: Precision> Scene<V> {
     }
 
     /// Asks the solid that the mesh bounds about points.
-    fn of_solid<A: Copy + Send>(
-        &self,
+    fn of_solid<'s, A: Copy + Send>(
+        &'s self,
         points: &In<'_, [Real<V>; 3]>,
         rule: u32,
         answers: Out<'_, A>,
         flags: u32,
-        ask: impl Fn(&Solid<'_, Tracer<Arc<WideBvh<8, V>>, V>, V>, V) -> Result<A, RayError> + Sync,
+        ask: impl Fn(&Solid<'s, Tracer<Arc<WideBvh<8, V>>, V>, V>, V) -> Result<A, RayError> + Sync,
     ) -> Result<(), Fault> {
         let rule = match rule {
             STACKLESS_RULE_PARITY => Rule::Parity,
