@@ -61,7 +61,7 @@ impl MeshFormat {
             // In UTF-16 marks and ends of lines have other bytes.
             Self::Obj | Self::Stl if matches!(as_utf8(bytes), Cow::Owned(_)) => Vec::new(),
             // What is behind the header may be binary.
-            Self::Ply => rewritten(bytes, !bytes.starts_with(b"ply")),
+            Self::Ply => rewritten(bytes, false),
             Self::Obj => rewritten(bytes, true),
             Self::Stl if stl::is_text(bytes) => rewritten(bytes, true),
             Self::Stl | Self::Gltf => Vec::new(),
