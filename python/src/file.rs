@@ -1,14 +1,18 @@
-//! Files of scenes, with progress.
+//! Files of meshes, and of scenes, with progress.
 
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use pyo3::PyResult;
-use stackless_scene::write_atomically;
+use pyo3::prelude::*;
+use stackless_bvh::bvh::{Stored, WideBvh};
+use stackless_bvh::geom::Mesh;
+use stackless_bvh::geom::lanes::Precision;
+use stackless_scene::{Position, Rounding, SceneError, scene_to_bytes, write_atomically};
 
-use crate::errors::of_file;
-use crate::memory::room;
+use crate::batch::in_background;
+use crate::errors::{of_file, refused};
+use crate::memory::{self, lacking, room};
 
 /// Steps that reading or writing a file reports: per cent.
 pub(crate) const STEPS: usize = 100;
@@ -40,4 +44,29 @@ pub(crate) fn read(path: &Path, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Vec<u
         tell(1);
     }
     Ok(bytes)
+}
+
+/// The bytes of a scene.
+pub(crate) fn to_bytes<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>) -> PyResult<Vec<u8>> {
+    // The bytes of the hierarchy are made before they are appended.
+    let bytes = size_of_val(mesh.vertices()) + size_of_val(mesh.triangles()) + bvh.bytes();
+    memory::check(bytes + bvh.bytes())?;
+    scene_to_bytes(mesh, bvh).map_err(|_| lacking(bytes))
+}
+
+/// The mesh in a file, in the order of the file, and what was skipped or changed; in single precision also what was
+/// rounded. (In double precision decimals always are.)
+pub(crate) fn load_mesh<V: Position>(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh<V>, Option<String>)> {
+    let read = move |_: &(dyn Fn(usize) + Sync)| {
+        let mut loaded = stackless_scene::load::<V>(&path).map_err(|error| match error {
+            SceneError::Io { file, error } => of_file(error, &file),
+            error => refused(error),
+        })?;
+        if size_of::<V::Real>() == 8 {
+            loaded.rounding = Rounding::default();
+        }
+        let note = loaded.note(&path);
+        Ok((loaded.mesh, note))
+    };
+    in_background(py, 1, None, read)
 }

@@ -18,6 +18,16 @@ use crate::threads::{FEW, Threads, of_chunks};
 /// A mesh, its hierarchy and its boundary.
 pub(crate) type Solid<'a, S> = (&'a Mesh<<S as Space>::Vector>, &'a S, &'a Boundary);
 
+/// The rule of a name.
+pub(crate) fn rule_of(name: &str) -> PyResult<Rule> {
+    Ok(match name {
+        "parity" => Rule::Parity,
+        "nonzero" => Rule::Nonzero,
+        "winding" => Rule::Winding,
+        _ => return Err(refused(format!("rule: '{name}', expected 'parity', 'nonzero' or 'winding'"))),
+    })
+}
+
 /// Whether each point is inside of a mesh, and `surface` for those on it.
 pub(crate) fn contains<'py, S: Space>(
     py: Python<'py>,

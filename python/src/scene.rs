@@ -6,16 +6,15 @@ use std::sync::{Arc, OnceLock};
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{Builder, Stored, WideBvh};
+use stackless_bvh::bvh::{Builder, Stored};
 use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::trace::{Boundary, Rule};
-use stackless_scene::{SavedError, scene_from_bytes, scene_to_bytes};
+use stackless_bvh::trace::Boundary;
+use stackless_scene::{SavedError, scene_from_bytes};
 
 use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
 use crate::batch::in_background;
 use crate::errors::refused;
-use crate::memory::{self, lacking, room};
+use crate::memory::{self, room};
 use crate::space::{Double, Single, Space};
 use crate::threads::Threads;
 use crate::{file, inside, near, queries};
@@ -57,7 +56,6 @@ macro_rules! either {
     };
 }
 
-/// An object of either kind of arrays.
 fn object<'py>(py: Python<'py>, made: impl IntoPyObject<'py>) -> PyResult<Bound<'py, PyAny>> {
     made.into_bound_py_any(py)
 }
@@ -102,6 +100,26 @@ impl Scene {
         let held = self.held.clone();
         let work = move |tell: &(dyn Fn(usize) + Sync)| file::write(&path, &held.to_bytes()?, tell);
         in_background(py, file::STEPS, progress.as_ref(), work)
+    }
+
+    /// A scene of a mesh file, and what there is to say of the file.
+    #[staticmethod]
+    fn load_mesh(
+        py: Python<'_>,
+        path: PathBuf,
+        dtype: &str,
+        build: &str,
+        progress: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<(Self, Option<String>)> {
+        let (builder, progress) = (builder(build)?, progress.as_ref());
+        let (held, note) = if dtype == Single::DTYPE {
+            let (mesh, note) = file::load_mesh(py, path)?;
+            (Either::Single(Box::new(Held::build(py, mesh, builder, progress)?)), note)
+        } else {
+            let (mesh, note) = file::load_mesh(py, path)?;
+            (Either::Double(Box::new(Held::build(py, mesh, builder, progress)?)), note)
+        };
+        Ok((Self { held }, note))
     }
 
     fn copy(&self) -> Self {
@@ -220,7 +238,7 @@ impl Scene {
         surface: bool,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rule = rule_of(rule)?;
+        let rule = inside::rule_of(rule)?;
         either!(self, held, S => {
             let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
             object(py, inside::contains::<S>(py, solid, points, (rule, surface), progress.as_ref())?)
@@ -246,7 +264,7 @@ impl Scene {
         rule: &str,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let rule = rule_of(rule)?;
+        let rule = inside::rule_of(rule)?;
         either!(self, held, S => {
             let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
             object(py, inside::signed_distances::<S>(py, solid, points, rule, progress.as_ref())?)
@@ -266,15 +284,6 @@ impl Scene {
             object(py, near::nearest::<S>(py, of, points_and_radius.each_ref(), (k, details), progress.as_ref())?)
         })
     }
-}
-
-fn rule_of(name: &str) -> PyResult<Rule> {
-    Ok(match name {
-        "parity" => Rule::Parity,
-        "nonzero" => Rule::Nonzero,
-        "winding" => Rule::Winding,
-        _ => return Err(refused(format!("rule: '{name}', expected 'parity', 'nonzero' or 'winding'"))),
-    })
 }
 
 impl Scene {
@@ -309,17 +318,10 @@ impl Either {
 
     fn to_bytes(&self) -> PyResult<Vec<u8>> {
         match self {
-            Self::Single(held) => saved(&held.mesh, &held.bvh),
-            Self::Double(held) => saved(&held.mesh, &held.bvh),
+            Self::Single(held) => file::to_bytes(&held.mesh, &held.bvh),
+            Self::Double(held) => file::to_bytes(&held.mesh, &held.bvh),
         }
     }
-}
-
-fn saved<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>) -> PyResult<Vec<u8>> {
-    // The bytes of the hierarchy are made before they are appended.
-    let bytes = size_of_val(mesh.vertices()) + size_of_val(mesh.triangles()) + bvh.bytes();
-    memory::check(bytes + bvh.bytes())?;
-    scene_to_bytes(mesh, bvh).map_err(|_| lacking(bytes))
 }
 
 impl<S: Space<Vector: Stored> + 'static> Held<S> {

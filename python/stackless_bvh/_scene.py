@@ -5,10 +5,11 @@ from __future__ import annotations
 import operator
 import os
 import sys
+import warnings
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _native
 from ._arrays import mesh_arrays, per_row, rays, rows
@@ -65,8 +66,8 @@ class Scene(Inside):
         if isinstance(vertices, (str, bytes, os.PathLike)):
             path = os.fspath(vertices)
             raise TypeError(
-                f"vertices: the path {path!r}, expected an array; read a mesh by mesh = trimesh.load_mesh({path!r}), "
-                "and pass mesh.vertices and mesh.faces; what Scene.save has written is read by Scene.load"
+                f"vertices: the path {path!r}, expected an array; a mesh is read by Scene.load_mesh({path!r}), "
+                "and what Scene.save has written by Scene.load"
             )
         if faces is None:
             if hasattr(vertices, "vertices") and hasattr(vertices, "faces"):
@@ -329,6 +330,46 @@ class Scene(Inside):
         """
         scene = cls.__new__(cls)
         scene._native = _native.Scene.load(os.fsdecode(path), progress)
+        return scene
+
+    @classmethod
+    def load_mesh(
+        cls,
+        path: str | os.PathLike[str],
+        dtype: DTypeLike = np.float64,
+        build: str = "standard",
+        progress: Progress | None = None,
+    ) -> Scene:
+        """A scene of the mesh in a PLY, OBJ, STL or glTF file (.ply, .obj, .stl, .gltf, .glb).
+
+        Faces are in the order of the file. A polygon of n corners becomes n - 2 of them, within its outline.
+        The nodes of a glTF file place its meshes. `build` and `progress` are as for `Scene`.
+
+        Warns
+        -----
+        UserWarning
+            Something of the file was skipped or changed, or float32 rounds its numbers.
+
+        Raises
+        ------
+        TypeError
+            `dtype` is neither float32 nor float64.
+        ValueError
+            The file is no mesh of triangles; the message names the line or the element.
+        OSError
+            The file cannot be read, as `open` says it.
+
+        Examples
+        --------
+        >>> scene = Scene.load_mesh("part.stl")  # doctest: +SKIP
+        """
+        wanted = np.dtype(dtype)
+        if wanted not in (np.float32, np.float64):
+            raise TypeError(f"dtype: {wanted}, expected float32 or float64")
+        scene = cls.__new__(cls)
+        scene._native, note = _native.Scene.load_mesh(os.fsdecode(path), wanted.name, build, progress)
+        if note is not None:
+            warnings.warn(note, stacklevel=2)
         return scene
 
     def _rays(self, origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike) -> list[NDArray[Any]]:

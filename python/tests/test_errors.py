@@ -49,7 +49,7 @@ MESHES = [
 
 
 def test_meshes_that_are_no_arrays():
-    read = "read a mesh by mesh = trimesh.load_mesh('part.stl'), and pass mesh.vertices and mesh.faces; what Scene.save has written is read by Scene.load"
+    read = "a mesh is read by Scene.load_mesh('part.stl'), and what Scene.save has written by Scene.load"
     for path in ("part.stl", Path("part.stl")):
         for faces in ((), (CUBE_FACES,)):
             check(TypeError, f"vertices: the path 'part.stl', expected an array; {read}", lambda: Scene(path, *faces))
