@@ -178,6 +178,7 @@ const UNCHECKED: &[(&str, &[&str])] = &[
             "geom/lanes/point.rs: new",
             "geom/nearest.rs: new",
             "geom/nearest.rs: within",
+            "geom/nearest/foot.rs: of",
             "geom/region.rs: of",
             "geom/region.rs: within",
         ],
