@@ -96,7 +96,7 @@ pub(crate) fn nearest<'py, S: Space>(
     Ok((near, details))
 }
 
-/// What is said of a point that is not there.
+/// The part of a triangle where no triangle is found.
 const NO_PLACE: u8 = 255;
 
 /// A search for several triangles takes longer than a ray.
@@ -125,13 +125,13 @@ fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResul
 /// Those of each point.
 type Nears<S> = Vec<Vec<Near<<S as Space>::Vector>>>;
 
-/// What more is said of a triangle that is found.
+/// The details of a triangle that is found.
 struct Detail<R> {
     foot: Foot<R>,
     normal: [R; 3],
 }
 
-/// Of each triangle that is found, in order.
+/// Finds the details of all triangles that are found, in order.
 fn details_of<S: Space>(
     mesh: &Mesh<S::Vector>,
     balls: &[Ball<S::Vector>],

@@ -191,7 +191,7 @@ impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
         self.count() % 2 == 1
     }
 
-    /// What is crossed is met. `[PARITY-1]`
+    /// Counts the triangles of a leaf. The filter is valid because every crossing is a hit. `[PARITY-1]`
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node)
     where

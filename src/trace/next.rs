@@ -69,10 +69,9 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> NextHitQuery<'a, K, B, H> {
         Some(Hit { prim, t, u, v })
     }
 
-    /// Compares two hits at one rounded distance.
     fn order(&self, a: &Met, b: &Met) -> Ordering {
         let PreparedRay { bvh, kernel, .. } = &self.cast;
-        kernel.order((&bvh.shape(a.place), a.prim), (&bvh.shape(b.place), b.prim))
+        order(*bvh, kernel, a, b)
     }
 
     /// Whether a hit at the given distance comes after the given one.
@@ -88,23 +87,28 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> NextHitQuery<'a, K, B, H> {
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node)
     where
-        B: Clone + LeafFilter<H, K::Shape, Real<K>>,
+        B: LeafFilter<H, K::Shape, Real<K>>,
     {
-        let PreparedRay { bvh, slabs, end, .. } = &self.cast;
-        let (bvh, slabs, end) = (*bvh, slabs.clone(), *end);
-        slabs.for_each_left(bvh, leaf, end, |place, shape, prim| {
-            let PreparedRay { kernel, end, .. } = &self.cast;
+        let Self { cast: PreparedRay { bvh, kernel, slabs, end }, after, start, level, farther } = self;
+        slabs.for_each_left(bvh, leaf, *end, |place, shape, prim| {
             let Some(t) = kernel.distance(shape, *end) else { return };
-            let (met, (given, given_prim)) = (Met { prim, place }, self.after);
+            let (met, (given, given_prim)) = (Met { prim, place }, *after);
             if t == given && prim == given_prim {
-                self.start = Some(place);
+                *start = Some(place);
             } else if t == given {
-                self.level.push(met);
-            } else if t > given && self.farther.map_or(t <= *end, |best| t < *end || self.order(&met, &best).is_lt()) {
-                (self.cast.end, self.farther) = (t, Some(met));
+                level.push(met);
+            } else if t > given
+                && farther.map_or(t <= *end, |best| t < *end || order(*bvh, kernel, &met, &best).is_lt())
+            {
+                (*end, *farther) = (t, Some(met));
             }
         });
     }
+}
+
+/// Compares two hits at one rounded distance.
+fn order<K: Kernel, H: LeafPrimitives<K::Shape>>(bvh: &H, kernel: &K, a: &Met, b: &Met) -> Ordering {
+    kernel.order((&bvh.shape(a.place), a.prim), (&bvh.shape(b.place), b.prim))
 }
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for NextHitQuery<'_, K, B> {

@@ -124,7 +124,7 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
         // A point that may be the origin of a ray may be the middle of a ball.
         let near = Ball::around(point).ok().and_then(|ball| self.tracer.nearest(&ball));
         let distance = near.map_or(V::Real::INFINITY, |near| near.distance);
-        // What is not at distance 0 is not on the surface.
+        // Points on the surface have the distance 0.
         let is_inside = distance > V::Real::ZERO && self.is_inside(&ray)?;
         Ok(if is_inside { V::Real::rounded(-distance.into()) } else { distance })
     }

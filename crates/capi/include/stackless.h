@@ -175,8 +175,8 @@ typedef struct {
 extern "C" {
 #endif // __cplusplus
 
-// What the last failed call of this thread was refused for: one line that names the element, what was found and what
-// was expected. Empty if no call has failed. Valid until the next failure of this thread.
+// Returns the reason why the last failed call of this thread failed: one line that names the element, the found and the
+// expected value. Empty if no call has failed. Valid until the next failure of this thread.
 const char *stackless_error_message(void);
 
 // Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of

@@ -1,4 +1,4 @@
-//! What crosses the border to C: a code, and never a panic.
+//! Results of calls from C: an error code and a message. Panics become errors.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -12,8 +12,8 @@ thread_local! {
     static MESSAGE: RefCell<CString> = RefCell::default();
 }
 
-/// What the last failed call of this thread was refused for: one line that names the element, what was found and what
-/// was expected. Empty if no call has failed. Valid until the next failure of this thread.
+/// Returns the reason why the last failed call of this thread failed: one line that names the element, the found and the
+/// expected value. Empty if no call has failed. Valid until the next failure of this thread.
 #[allow(unsafe_code, reason = "its name is exported")]
 #[unsafe(no_mangle)]
 pub extern "C" fn stackless_error_message() -> *const c_char {

@@ -1,7 +1,7 @@
 //! Memory of the caller: checked pointers, and arrays whose elements are a stride apart.
 //!
-//! What C must keep to is in the header: pointers are null or point to as many elements as the call says, which nothing
-//! else changes meanwhile. The rest is checked here.
+//! The header states the duties of the caller: pointers are null or point to as many elements as the call says, and no
+//! other thread changes these elements during the call. This module checks the rest.
 
 use std::ffi::{CStr, c_char};
 use std::fmt;
@@ -134,7 +134,7 @@ impl Layout {
 pub(crate) struct In<'a, T> {
     first: *const T,
     layout: Layout,
-    /// What errors call it, and whether it is one element of no array.
+    /// The name in errors, and whether it is a single element.
     name: (&'static str, bool),
     borrowed: PhantomData<&'a T>,
 }

@@ -23,9 +23,9 @@ use crate::types::{
 pub struct Scene<V: Precision> {
     mesh: Mesh<V>,
     bvh: Arc<WideBvh<8, V>>,
-    /// Over the hierarchy. It is kept, since the processor is asked for its instructions when it is made.
+    /// Over the hierarchy. The scene keeps it because `Tracer::new` detects the level of instructions each time.
     tracer: Tracer<Arc<WideBvh<8, V>>, V>,
-    /// What the edges say; found when it is first needed.
+    /// Computed by the first query that needs it.
     boundary: OnceLock<Boundary>,
     /// Its own threads; else those of the process.
     pool: Option<ThreadPool>,
@@ -140,7 +140,7 @@ fn shared<A: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> A + Send) -
     }
 }
 
-/// Checks a count before memory is taken for so many.
+/// Refuses a count above the limit, before memory is allocated.
 pub(crate) fn check_count(count: usize, name: &str) -> Result<(), Fault> {
     if count > MAX_COUNT {
         return Err(Fault::argument(format!("{name}: {count}, expected at most {MAX_COUNT}")));

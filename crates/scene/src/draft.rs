@@ -8,7 +8,7 @@ use super::note::{NoteKind, Notes};
 use super::number::Number;
 use super::{Loaded, Part, Rounding, polygon};
 
-/// What has been read so far.
+/// Vertices and faces that are read so far.
 pub(crate) struct Draft<V: Position> {
     vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
@@ -30,7 +30,7 @@ struct NotFinite {
     vertex: u32,
     axis: usize,
     value: f64,
-    /// What tells its place: a line or a node.
+    /// The line or the node that has it.
     at: u64,
 }
 

@@ -1,4 +1,4 @@
-//! What was not taken of a file as it stands.
+//! Notes: content of a file that a reader skips or changes.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ pub struct Note {
     pub first: String,
 }
 
-/// What can be skipped or changed.
+/// Kinds of skipped or changed content.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoteKind {

@@ -22,10 +22,10 @@ pub(super) fn enclose<E: Enclosure>(corners: &[DVec3; 3], point: DVec3) -> Optio
     all.0
 }
 
-/// What holds the weights of the second and the third corner in the nearest point, and on which part of the triangle it
-/// is. `None` also where bounds leave the part open.
+/// Bounds the weights of the second and the third corner in the nearest point, and finds the part of the triangle that has
+/// it. `None` also where the bounds do not decide the part.
 ///
-/// A point on the border of a part has the certificates of both: so where one alone may hold, it tells the part.
+/// On the border of two parts both certificates hold. So a single certificate that may hold decides the part.
 /// `[NEAR-9]`
 pub(super) fn weigh<E: Enclosure>(corners: &[DVec3; 3], point: DVec3) -> Option<([E; 2], Place)> {
     let mut only = Only(None, 0);
@@ -104,7 +104,7 @@ pub(super) fn square_length<E: Enclosure>(way: Vector<E>) -> E {
     dot(way, way)
 }
 
-/// What holds the normal of a triangle, as long as twice its area.
+/// Bounds the cross product of two edges, whose length is twice the area.
 pub(super) fn normal<E: Enclosure>(&[a, b, c]: &[DVec3; 3]) -> Option<Vector<E>> {
     let [a, b, c] = [exact::<E>(a)?, exact(b)?, exact(c)?];
     Some(cross(minus(b, a), minus(c, a)))

@@ -4,7 +4,7 @@ use dashu_int::ops::{BitTest, DivRem, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, Sign, UBig};
 use dashu_ratio::Relaxed;
 
-use super::{Number, RBig, cross, dot, integers, minus, scale};
+use super::{Number, RBig, Vector, cross, dot, integers, minus, scale};
 
 /// The square of the distance from a point to a triangle. `None` if a coordinate is not finite.
 ///
@@ -18,7 +18,7 @@ use super::{Number, RBig, cross, dot, integers, minus, scale};
 /// assert_eq!(square_distance(triangle, [-1.0, -2.0, 2.0]), RBig::try_from(9.0).ok());
 /// ```
 pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<RBig> {
-    let (Nearest { square, .. }, scale) = nearest(triangle, point)?;
+    let (Nearest { square, .. }, _, scale) = nearest(triangle, point)?;
     Some((square / Relaxed::from(&scale * &scale)).canonicalize())
 }
 
@@ -35,8 +35,7 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
 /// assert_eq!(nearest([f32::NAN, 0.0, 0.0]), None);
 /// ```
 pub fn nearest_point<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<[RBig; 3]> {
-    let (Nearest { weights, denominator, .. }, scale) = nearest(triangle, point)?;
-    let [corners @ .., _] = integers([triangle[0], triangle[1], triangle[2], point])?;
+    let (Nearest { weights, denominator, .. }, corners, scale) = nearest(triangle, point)?;
     let denominator = denominator * scale;
     let numerator = |k: usize| (0..3).map(|i| &weights[i] * &corners[i][k]).sum();
     Some([0, 1, 2].map(|k| RBig::from_parts_signed(numerator(k), denominator.clone())))
@@ -53,7 +52,7 @@ pub fn nearest_point<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<
 /// assert_eq!(nearest_weights(triangle, [2.0, 2.0, 0.5]), Some([RBig::ZERO, half.clone(), half]));
 /// ```
 pub fn nearest_weights<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<[RBig; 3]> {
-    let (Nearest { weights, denominator, .. }, _) = nearest(triangle, point)?;
+    let (Nearest { weights, denominator, .. }, ..) = nearest(triangle, point)?;
     Some(weights.map(|weight| RBig::from_parts_signed(weight, denominator.clone())))
 }
 
@@ -111,8 +110,9 @@ struct Nearest {
     square: Relaxed,
 }
 
-/// Of coordinates times a number that makes them integers, and that number.
-fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest, IBig)> {
+/// Finds the nearest point for coordinates times the number that makes them integers; and returns the corners times that
+/// number, and the number.
+fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest, [Vector; 3], IBig)> {
     let scale = scale([a, b, c, point])?;
     let [a, b, c, p] = integers([a, b, c, point])?;
     let corners = [&a, &b, &c];
@@ -143,11 +143,11 @@ fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest,
         of_edges = of_edges.into_iter().chain([near]).min_by(|a, b| a.square.cmp(&b.square));
     }
     if inside.iter().any(|weight| weight.sign() == Sign::Negative || weight.is_zero()) {
-        return of_edges.map(|near| (near, scale));
+        return of_edges.map(|near| (near, [a, b, c], scale));
     }
     let height = dot(&normal, &minus(&p, &a));
     let square = Relaxed::from_parts_signed(&height * &height, area.clone());
-    Some((Nearest { weights: inside, denominator: area, square }, scale))
+    Some((Nearest { weights: inside, denominator: area, square }, [a, b, c], scale))
 }
 
 #[cfg(test)]

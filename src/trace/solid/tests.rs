@@ -96,7 +96,7 @@ fn points_are_where_the_boxes_say<V: Precision>() {
                         let distance = boxes.iter().map(|it| square_to_surface(it, point)).min().map(f64::from);
                         let distance = distance.expect("a box").sqrt() * if is_inside { -1.0 } else { 1.0 };
                         let measured = [by_wide.signed_distance(at), by_binary.signed_distance(at)];
-                        // Of a zero any sign is right.
+                        // The sign of a zero is not compared.
                         let expected = V::Real::rounded(distance + 0.0);
                         assert_eq!(measured, [Ok(expected); 2], "{boxes:?} {point:?} {rule:?}");
                     }
