@@ -5,8 +5,15 @@ use std::hint::black_box;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
+/// What is left for small allocations, which nobody checks. The allocator asks the system for a MiB at a time.
+const SPARE: usize = 8 << 20;
+
+/// Fewer bytes than this are a small allocation.
+const SMALL: usize = 1 << 16;
+
 /// Returns an empty vector with room for `count` items.
 pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
+    check(count.saturating_mul(size_of::<T>()))?;
     let mut all = Vec::new();
     all.try_reserve_exact(count).map_err(|_| lacking(count.saturating_mul(size_of::<T>())))?;
     Ok(all)
@@ -15,13 +22,22 @@ pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
 /// Reserves room for `count` more items, and for later ones.
 pub(crate) fn reserve<T>(all: &mut Vec<T>, count: usize) -> PyResult<()> {
     let bytes = all.len().saturating_add(count).saturating_mul(size_of::<T>());
+    if all.capacity() - all.len() < count {
+        // Room is doubled at least.
+        check(all.len().max(count).saturating_mul(size_of::<T>()))?;
+    }
     all.try_reserve(count).map_err(|_| lacking(bytes))
 }
 
-/// Checks that `bytes` can be allocated, for work that aborts without them: allocates and frees them.
+/// Checks that `bytes` can be allocated, for work that aborts without them: allocates and frees them. If they are many,
+/// [`SPARE`] is left beside them.
 pub(crate) fn check(bytes: usize) -> PyResult<()> {
+    let spare = if bytes < SMALL { 0 } else { SPARE };
+    let mut all = Vec::<u8>::new();
+    all.try_reserve_exact(bytes.saturating_add(spare)).map_err(|_| lacking(bytes))?;
     // Without `black_box` the compiler removes the unused allocation.
-    room::<u8>(bytes).map(|all| drop(black_box(all)))
+    drop(black_box(all));
+    Ok(())
 }
 
 /// Checks the memory of work that several threads share. The allocator gives a thread up to 64 MiB at once.

@@ -223,7 +223,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> RayQueri
     }
 
     fn all(&self, ray: &Ray<K::Vector>) -> Vec<Self::Hit> {
-        self.run_shared(ray.octant(), self.sweep(ray)).hits()
+        self.run_shared(ray.octant(), self.sweep(ray)).into_hits()
     }
 }
 

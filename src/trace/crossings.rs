@@ -25,7 +25,7 @@ use crate::tree::Node;
 /// let ray = Ray::new(Vec3::new(0.25, -0.25, -1.0), Vec3::new(0.0, 0.5, 1.0))?;
 /// let mut hits = AllHits::new(&bvh, &ray);
 /// traverse(Stack::new(&bvh, &mut Vec::new()), &mut hits, &mut ());
-/// let hits = hits.hits();
+/// let hits = hits.into_hits();
 /// assert_eq!(hits.iter().map(|hit| (hit.prim, hit.t)).collect::<Vec<_>>(), [(0, 1.0), (1, 1.0)]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -69,10 +69,10 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> AllHitsQuery<'a, K, B, H> {
     }
 
     /// All hits, after the traversal, in the order of exact distance and then of primitive.
-    pub fn hits(&self) -> Vec<Hit<Real<K>>> {
-        let (PreparedRay { bvh, kernel, .. }, mut found) = (&self.cast, self.found.clone());
+    pub fn into_hits(self) -> Vec<Hit<Real<K>>> {
+        let (PreparedRay { bvh, kernel, .. }, mut found) = (self.cast, self.found);
         // No distance is a NaN.
-        found.sort_by(|(t, prim, place), (other, next, at)| {
+        found.sort_unstable_by(|(t, prim, place), (other, next, at)| {
             let at_one_distance = || kernel.order((&bvh.shape(*place), *prim), (&bvh.shape(*at), *next));
             t.partial_cmp(other).unwrap_or(Ordering::Equal).then_with(at_one_distance)
         });

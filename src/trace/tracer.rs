@@ -194,7 +194,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> RayQueries<Ray<V>> for Tracer<T, V>
             let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
             let mut query = AllHitsQuery::over(cast, bvh.duplicates() > 0);
             self.run_shared(&mut query);
-            query.hits()
+            query.into_hits()
         })
     }
 

@@ -189,7 +189,7 @@ fn order<R>(a: &TrueHit<R>, b: &TrueHit<R>) -> Ordering {
 
 fn in_order<R>(hits: impl Iterator<Item = TrueHit<R>>) -> Vec<TrueHit<R>> {
     let mut hits: Vec<_> = hits.collect();
-    hits.sort_by(order);
+    hits.sort_unstable_by(order);
     hits
 }
 

@@ -126,7 +126,7 @@ fn check_rays<V: Precision>(
         compare(number, "any hit", &!expected.is_empty(), &any.found().is_some())?;
         let mut all = OwnBoxes::over(AllHitsQuery::<V::Exact, V::Slabs>::new(bvh, ray), &[]);
         run(&mut all)?;
-        let all: Vec<_> = all.query().hits().iter().map(bits).collect();
+        let all: Vec<_> = all.query().clone().into_hits().iter().map(bits).collect();
         compare(number, "all hits", &expected, &all)?;
         let first = expected.first();
         for (what, hit) in [

@@ -81,7 +81,7 @@ fn a_crossing_is_a_hit_and_off_edges_a_hit_is_a_crossing() {
 fn all(bvh: &Bvh, ray: &Ray) -> Vec<Hit> {
     let mut hits = AllHits::new(bvh, ray);
     traverse(Stack::new(bvh, &mut Vec::new()), &mut hits, &mut ());
-    hits.hits()
+    hits.into_hits()
 }
 
 fn all_are_true(mesh: &Mesh, rays: &[Ray]) -> usize {

@@ -103,7 +103,7 @@ fn compare(mesh: &Mesh<DVec3>, rays: &[Ray<DVec3>]) -> usize {
             assert_eq!(any.hit().is_some(), !expected.is_empty(), "{ray:?}");
             let mut all = AllHits64::new(bvh, ray);
             traverse(Stack::new(bvh, &mut memory), &mut all, &mut ());
-            assert!(all.hits().into_iter().map(bits).eq(expected.iter().copied()), "{ray:?}");
+            assert!(all.into_hits().into_iter().map(bits).eq(expected.iter().copied()), "{ray:?}");
         }
     }
     hits
