@@ -16,12 +16,13 @@ with the same arguments and the same kinds of answers, in float64 as trimesh its
 from __future__ import annotations
 
 import warnings
+import weakref
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._arrays import array_of
+from ._arrays import array_of, check_shape
 from ._results import AllHits
 from ._scene import Scene
 
@@ -45,17 +46,11 @@ class RayMeshIntersector:
 
     def __init__(self, geometry: trimesh.Trimesh, scale_to_box: bool = True) -> None:
         self.mesh = geometry
-        self._made: tuple[int, Scene | None] | None = None
 
     @property
     def scene(self) -> Scene | None:
         """The scene over the mesh as it is now; None for a mesh without faces."""
-        now = hash(self.mesh)
-        if self._made is None or self._made[0] != now:
-            vertices = np.asarray(self.mesh.vertices.view(np.ndarray), dtype=np.float64)
-            faces = self.mesh.faces.view(np.ndarray)
-            self._made = (now, Scene(vertices, faces) if len(faces) else None)
-        return self._made[1]
+        return scene_of(self.mesh)
 
     def intersects_id(
         self,
@@ -136,9 +131,8 @@ class RayMeshIntersector:
         It is exact if every edge is in an even number of faces. Otherwise there is no inside: the answer is what
         trimesh makes of the hits of two rays, and a warning says so.
         """
-        array = _floats(points, "points")
-        if array.ndim != 2 or array.shape[1] != 3:
-            raise ValueError(f"points: shape {array.shape}, expected (n, 3)")
+        array = floats(points, "points")
+        check_shape(array, "points", 3, "n")
         scene = self.scene
         if scene is None:
             return np.zeros(len(array), dtype=bool)
@@ -172,9 +166,6 @@ class RayMeshIntersector:
             index_tri, index_ray, t = first.primitive[first.hit], rows[first.hit], first.t[first.hit]
         return index_tri, index_ray, origins[index_ray] + t[:, np.newaxis] * directions[index_ray]
 
-    def __getstate__(self) -> dict[str, Any]:
-        return {"mesh": self.mesh, "_made": None}
-
     def __copy__(self) -> RayMeshIntersector:
         return RayMeshIntersector(self.mesh)
 
@@ -182,17 +173,33 @@ class RayMeshIntersector:
         return self.__copy__()
 
 
+# The hash and the scene of each living mesh, by its id.
+_scenes: dict[int, tuple[int, Scene | None]] = {}
+
+
+def scene_of(mesh: trimesh.Trimesh) -> Scene | None:
+    """Returns the scene over a mesh as it is now, which all queries of the mesh share; None for one without faces."""
+    now, key = hash(mesh), id(mesh)
+    if key not in _scenes:
+        weakref.finalize(mesh, _scenes.pop, key, None)
+    kept = _scenes.get(key)
+    if kept is None or kept[0] != now:
+        vertices = np.asarray(mesh.vertices.view(np.ndarray), dtype=np.float64)
+        faces = mesh.faces.view(np.ndarray)
+        kept = _scenes[key] = (now, Scene(vertices, faces) if len(faces) else None)
+    return kept[1]
+
+
 def _rays(origins: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], _Indices]:
     """Both as arrays, and the rows that have a direction."""
-    starts, ways = _floats(origins, "ray_origins"), _floats(directions, "ray_directions")
+    starts, ways = floats(origins, "ray_origins"), floats(directions, "ray_directions")
     if starts.shape != ways.shape:
         raise ValueError(f"ray_origins and ray_directions: shapes {starts.shape} and {ways.shape}, expected the same")
-    if starts.ndim != 2 or starts.shape[1] != 3:
-        raise ValueError(f"ray_origins: shape {starts.shape}, expected (n, 3)")
+    check_shape(starts, "ray_origins", 3, "n")
     return starts, ways, np.flatnonzero(ways.any(axis=1))
 
 
-def _floats(array: ArrayLike, name: str) -> NDArray[np.float64]:
+def floats(array: ArrayLike, name: str) -> NDArray[np.float64]:
     return np.asarray(array_of(array, name, np.float64), dtype=np.float64)
 
 
