@@ -34,6 +34,8 @@ _MADE = {
     "featuretype.STL": lambda: trimesh.creation.annulus(1, 2, 3),
     "20mm-xyz-cube.stl": lambda: trimesh.creation.box([20, 20, 20]),
     "teapot.stl": _opened,
+    "origin_inside.STL": lambda: trimesh.creation.box([2, 2, 2]).apply_translation([0, 0, -0.5]),
+    "1002_tray_bottom.STL": lambda: trimesh.creation.box([20, 10, 1]),
 }
 
 

@@ -1,4 +1,5 @@
-"""Runs the ray and proximity tests of trimesh's own released test-suite with our intersector, beside trimesh's two.
+"""Runs the ray and proximity tests of trimesh's own released test-suite with trimesh's intersectors and with ours. With ours
+run our proximity functions, in place of those of trimesh.
 
     python tests/upstream/run.py [ARCHIVE]
 
@@ -23,8 +24,10 @@ import trimesh
 DIFFERENCES = {
     "test_embree_duplicate_hits": "one ray through a vertex of six faces: `intersects_id` tells all six, as trimesh's "
     "native one does; the test expects Embree's one of each side",
+    "test_returns_correct_point_in_ambiguous_cases": "the point is nearer to face 0 by 1e-9; the test expects face 1, "
+    "because trimesh takes the distances as equal",
 }
-FILES = ["test_ray.py", "test_ray_upstream.py", "test_proximity.py"]
+FILES = ["test_ray.py", "test_ray_upstream.py", "test_proximity.py", "test_thickness.py"]
 HERE = Path(__file__).parent
 
 
@@ -47,8 +50,8 @@ def main() -> int:
     found = list(outcomes["exact"].values())
     print({outcome: found.count(outcome) for outcome in sorted(set(found))})
     failed = {test for test, outcome in outcomes["exact"].items() if outcome not in ("passed", "skipped")}
-    # Without embreex the test of that difference does not look.
-    expected = set(DIFFERENCES) if has_embreex() else set()
+    # Without embreex this test does not look.
+    expected = set(DIFFERENCES) - (set() if has_embreex() else {"test_embree_duplicate_hits"})
     return 0 if found.count("passed") > 20 and failed == expected else 1
 
 
