@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,20 @@ def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], ND
         raise TypeError(f"vertices: dtype {points.dtype}, expected float32 or float64")
     check_shape(points, "vertices", 3, "n")
     return aligned(points), face_array(faces)
+
+
+def check_area(vertices: NDArray[Any], faces: NDArray[Any]) -> None:
+    """Warns if each face repeats a corner or lies on a line along an axis, so that rays miss the whole mesh.
+
+    An ordinary mesh is recognized by its first face. Faces on other lines are not recognized.
+    """
+    for some in (faces[:1], faces):
+        corners = vertices[some]
+        repeats = (corners == corners[:, [1, 2, 0]]).all(axis=2).any(axis=1)
+        straight = (corners == corners[:, :1]).all(axis=1).sum(axis=1) >= 2
+        if not (repeats | straight).all():
+            return
+    warnings.warn("faces: none has an area, so that all rays miss the mesh", stacklevel=3)
 
 
 def face_array(faces: ArrayLike) -> NDArray[Any]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _native
-from ._arrays import mesh_arrays, per_row, rays, rows
+from ._arrays import check_area, mesh_arrays, per_row, rays, rows
 from ._inside import Inside, Progress
 from ._results import AllHits, Hits, Near
 
@@ -33,6 +33,11 @@ class Scene(Inside):
         or "median". Answers do not depend on it.
     progress
         Is called as ``progress(done, count)`` now and then, with numbers of faces, while the hierarchy is built.
+
+    Warns
+    -----
+    UserWarning
+        No face has an area, because each repeats a corner or lies on a line along an axis.
 
     Raises
     ------
@@ -76,6 +81,7 @@ class Scene(Inside):
             raise TypeError("faces: missing, expected integers of shape (m, 3)")
         points, indices = mesh_arrays(vertices, faces)
         self._native = _native.Scene(points, indices, str(points.dtype), build, progress)
+        check_area(points, indices)
 
     def __repr__(self) -> str:
         return f"<stackless_bvh.Scene: {len(self.faces)} faces, {self.dtype}>"
