@@ -1,5 +1,5 @@
-"""Runs the ray and proximity tests of trimesh's own released test-suite with trimesh's intersectors and with ours. With ours
-run our proximity functions, in place of those of trimesh.
+"""Runs the ray and proximity tests of trimesh's own released test-suite with the intersectors of trimesh and with ours.
+Together with our intersector it tests our proximity functions.
 
     python tests/upstream/run.py [ARCHIVE]
 
