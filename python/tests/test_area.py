@@ -11,7 +11,7 @@ from stackless_bvh import Scene
 LINE = np.array([[0, 1, 2], [3, 1, 2], [3.5, 1, 2]])
 COLLAPSED = np.repeat(CUBE[:1], 8, axis=0)
 FLAT = {
-    "an index twice": (CUBE, [[0, 1, 0], [2, 3, 3], [5, 5, 4]]),
+    "an index twice": (CUBE, [[0, 7, 0], [1, 6, 6], [5, 5, 2]]),
     "a point": (CUBE, [[7, 7, 7]]),
     "equal coordinates": (COLLAPSED, CUBE_FACES),
     "a line along x": (LINE, [[0, 1, 2], [2, 1, 0]]),

@@ -168,6 +168,13 @@ def test_ids_are_those_of_one_merged_scene():
     assert np.allclose(np.linalg.norm(found["primitive_normals"][hits.hit], axis=1), 1, rtol=1e-15)
 
 
+def test_a_hit_of_two_geometries_is_listed_for_each():
+    scene, diagonal = scene_of(SQUARE, SQUARE), np.float32([[1, 1, 5, 0, 0, -1]] * 2)
+    found = scene.list_intersections(diagonal)
+    assert found["geometry_ids"].tolist() == [0, 1, 0, 1] and found["ray_splits"].tolist() == [0, 2, 4]
+    assert scene.count_intersections(diagonal).tolist() == [2, 2]
+
+
 def test_meshes_can_be_added_later_and_do_not_change():
     vertices, faces = np.float32(SQUARE[0]), SQUARE[1].copy()
     scene, ray = RaycastingScene(nthreads=1), np.float32([[0.25, 0.5, -5, 0, 0, 1]])

@@ -105,9 +105,9 @@ def test_the_sign_of_a_mesh_that_is_not_closed_is_that_of_trimesh():
 
 def test_hits_at_the_point_itself_are_skipped():
     box = trimesh.creation.box()
-    points = [[0.5 + 1e-6, 0.1, 0.2], [0.6, 0.1, 0.2], [0.5, 0.1, 0.2], [0, 0, 0]]
-    found = proximity.longest_ray(box, points, [[-9, 0, 0], [-2, 0, 0], [1, 0, 0], [0, 0, 0]])
-    assert np.allclose(found, [1 + 1e-6, 0.1, np.inf, np.inf])
+    points = [[0.5 + gap, 0.1, 0.2] for gap in (1e-6, 5e-5, 0.1, 0, 0)]
+    found = proximity.longest_ray(box, points, [[-9, 0, 0], [-9, 0, 0], [-2, 0, 0], [1, 0, 0], [0, 0, 0]])
+    assert np.allclose(found, [1 + 1e-6, 5e-5, 0.1, np.inf, np.inf], rtol=1e-9)
 
 
 def test_queries_share_a_scene_which_follows_the_mesh():
