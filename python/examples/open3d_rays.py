@@ -1,4 +1,4 @@
-"""`cast_rays` of Open3D's RaycastingScene by exact answers, and where both differ.
+"""`RaycastingScene` of Open3D and ours, and where they differ.
 
     python examples/open3d_rays.py
 
@@ -11,22 +11,7 @@ import numpy as np
 import open3d
 import trimesh
 
-from stackless_bvh import Scene
-
-INVALID = np.uint32(0xFFFFFFFF)
-
-
-def cast_rays(scene: Scene, rays: np.ndarray) -> dict[str, np.ndarray]:
-    """What `RaycastingScene.cast_rays` answers of one geometry, from rays of shape (..., 6)."""
-    flat = rays.reshape(-1, 6)
-    hits = scene.closest(flat[:, :3], flat[:, 3:])
-    shape = rays.shape[:-1]
-    return {
-        "t_hit": hits.t.reshape(shape),
-        "primitive_ids": np.where(hits.hit, hits.primitive, INVALID).astype(np.uint32).reshape(shape),
-        "primitive_uvs": np.nan_to_num(hits.uv).reshape(*shape, 2),
-        "geometry_ids": np.where(hits.hit, 0, INVALID).astype(np.uint32).reshape(shape),
-    }
+from stackless_bvh.open3d import RaycastingScene
 
 
 def main():
@@ -39,7 +24,9 @@ def main():
     theirs = open3d.t.geometry.RaycastingScene()
     theirs.add_triangles(open3d.core.Tensor(vertices), open3d.core.Tensor(faces))
     expected = {key: array.numpy() for key, array in theirs.cast_rays(open3d.core.Tensor(rays)).items()}
-    found = cast_rays(Scene(vertices, faces), rays)
+    ours = RaycastingScene()
+    ours.add_triangles(vertices, faces)
+    found = ours.cast_rays(rays)
     print(f"{len(rays)} rays out of a closed sphere")
     print(f"lost: {np.isinf(found['t_hit']).sum()} here, {np.isinf(expected['t_hit']).sum()} by Open3D")
     both = np.isfinite(expected["t_hit"])
