@@ -3,7 +3,7 @@
 use arbitrary::Unstructured;
 use stackless_bvh::traverse::Method;
 use stackless_check::{Case, Replay};
-use stackless_scene::{MeshFormat, check_mesh_file, check_ray_file};
+use stackless_scene::{MeshFormat, check_mesh_file, check_row_file};
 
 use super::draw::patched;
 use super::{right, said, traversals};
@@ -34,7 +34,7 @@ fn mesh(bytes: &[u8], format: MeshFormat) {
 
 /// A file of rays.
 pub(crate) fn rays(bytes: &[u8]) {
-    right(check_ray_file(bytes), bytes.escape_ascii());
+    right(check_row_file(bytes), bytes.escape_ascii());
 }
 
 /// A case as JSON: any text, or that of a case, changed. What is accepted is a case like any other, and comes back.

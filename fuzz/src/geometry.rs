@@ -1,13 +1,13 @@
 //! Targets of the geometric tests, each against rational arithmetic.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Plain, Slabs64, TwoSided};
 use stackless_bvh::geom::{Aabb, Mesh, Ray, Triangle, Vector};
-use stackless_check::{check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
+use stackless_check::{Solids, check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};
 
 use super::draw::Draw;
 use super::right;
@@ -71,6 +71,13 @@ pub(crate) fn nearest(bytes: &[u8]) {
     let radius = if draw.coin() { draw.double().abs() } else { f64::INFINITY };
     let Ok(mesh) = Mesh::new(vertices, mesh.triangles().to_vec()) else { return };
     all_near(&mesh, point, radius, k);
+}
+
+/// Points inside, outside and on tetrahedra, against integers. `[CLOSED-2]` `[WINDING-1]`
+pub(crate) fn solids(bytes: &[u8]) {
+    let solids = Solids::draw(&mut Draw::new(bytes), 5);
+    right(solids.check::<Vec3>(), format_args!("{solids:?}"));
+    right(solids.check::<DVec3>(), format_args!("{solids:?}"));
 }
 
 fn all_near<V: Precision>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) {

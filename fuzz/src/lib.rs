@@ -27,7 +27,7 @@ pub struct Target {
 }
 
 /// All targets.
-pub const TARGETS: [Target; 25] = [
+pub const TARGETS: [Target; 26] = [
     target("keys", keys::keys, 128),
     target("traversals", traversals::traversals, 512),
     target("deep", traversals::deep, 512),
@@ -40,6 +40,7 @@ pub const TARGETS: [Target; 25] = [
     target("triangle", geometry::triangle, 160),
     target("slabs", geometry::slabs, 160),
     target("nearest", geometry::nearest, 512),
+    target("solids", geometry::solids, 256),
     target("builders", hierarchies::builders, 512),
     target("refit", hierarchies::refit, 512),
     target("bvh_bytes", hierarchies::bvh_bytes, 4096),

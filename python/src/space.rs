@@ -63,7 +63,7 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
         mesh: &Mesh<Self::Vector>,
         boundary: &Boundary,
         rule: Rule,
-        points: &[(usize, Self::Vector)],
+        points: &[Self::Vector],
     ) -> PyResult<Vec<Location>>;
     /// How far they are, negative inside.
     fn signed_distances(
@@ -71,15 +71,10 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
         mesh: &Mesh<Self::Vector>,
         boundary: &Boundary,
         rule: Rule,
-        points: &[(usize, Self::Vector)],
+        points: &[Self::Vector],
     ) -> PyResult<Vec<Self::Real>>;
     /// Their winding numbers.
-    fn windings(
-        &self,
-        mesh: &Mesh<Self::Vector>,
-        boundary: &Boundary,
-        points: &[(usize, Self::Vector)],
-    ) -> PyResult<Vec<f64>>;
+    fn windings(&self, mesh: &Mesh<Self::Vector>, boundary: &Boundary, points: &[Self::Vector]) -> PyResult<Vec<f64>>;
     fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
@@ -135,16 +130,10 @@ where
         Tracer::new(self).crossings_parallel(rays)
     }
 
-    fn locate(
-        &self,
-        mesh: &Mesh<V>,
-        boundary: &Boundary,
-        rule: Rule,
-        points: &[(usize, V)],
-    ) -> PyResult<Vec<Location>> {
+    fn locate(&self, mesh: &Mesh<V>, boundary: &Boundary, rule: Rule, points: &[V]) -> PyResult<Vec<Location>> {
         let tracer = Tracer::new(self);
         let solid = Solid::new(&tracer, mesh, boundary, rule).map_err(refused)?;
-        points.iter().map(|&(row, point)| solid.locate(point).map_err(|error| of_ray(error, row))).collect()
+        points.iter().map(|&point| solid.locate(point).map_err(failed)).collect()
     }
 
     fn signed_distances(
@@ -152,17 +141,17 @@ where
         mesh: &Mesh<V>,
         boundary: &Boundary,
         rule: Rule,
-        points: &[(usize, V)],
+        points: &[V],
     ) -> PyResult<Vec<V::Real>> {
         let tracer = Tracer::new(self);
         let solid = Solid::new(&tracer, mesh, boundary, rule).map_err(refused)?;
-        points.iter().map(|&(row, point)| solid.signed_distance(point).map_err(|error| of_ray(error, row))).collect()
+        points.iter().map(|&point| solid.signed_distance(point).map_err(failed)).collect()
     }
 
-    fn windings(&self, mesh: &Mesh<V>, boundary: &Boundary, points: &[(usize, V)]) -> PyResult<Vec<f64>> {
+    fn windings(&self, mesh: &Mesh<V>, boundary: &Boundary, points: &[V]) -> PyResult<Vec<f64>> {
         let tracer = Tracer::new(self);
         let winding = Winding::new(&tracer, mesh, boundary);
-        points.iter().map(|&(row, point)| winding.number(point).map_err(|error| of_ray(error, row))).collect()
+        points.iter().map(|&point| winding.number(point).map_err(failed)).collect()
     }
 
     fn nearest(&self, balls: &[Ball<V>]) -> Answers<Option<Near<V>>> {

@@ -7,6 +7,7 @@ mod clip;
 mod enclosed_ray;
 mod environment;
 mod exact_ray;
+pub(crate) mod fan;
 mod fine;
 mod frame;
 mod interval;

@@ -16,6 +16,8 @@
 
 use std::cmp::Ordering;
 
+use glam::DVec3;
+
 use crate::geom::{Mesh, Vector, order_of_lines};
 use crate::threads;
 
@@ -35,7 +37,7 @@ use crate::threads;
 /// assert_eq!((boundary.open, boundary.first.map(|edge| edge.face)), (4, Some(0)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Boundary {
     /// Edges with an end at which the covering of their line changes between even and odd.
     pub open: usize,
@@ -47,6 +49,8 @@ pub struct Boundary {
     pub first: Option<OpenEdge>,
     /// The edges that more faces run through in one direction than in the other; none if the mesh is oriented.
     pub borders: Vec<Border>,
+    /// The least and the greatest coordinates of all corners of faces; infinite if there are no faces.
+    pub bounds: [DVec3; 2],
 }
 
 /// An edge on the border of a surface.
@@ -83,12 +87,23 @@ impl Boundary {
         // Where others on their line make up for all of them, there is no border.
         let borders = if unpaired > 0 { one_sided.iter().map(Share::border).collect() } else { Vec::new() };
         let first = first(mesh.triangles(), &welded, &odd);
-        Self { open: odd.len(), unpaired, repeated: repeated(mesh.triangles(), &welded), first, borders }
+        let corners = mesh.triangles().iter().flatten().map(|&corner| mesh.vertices()[corner as usize].widen());
+        let bounds = corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[lo, hi], p| [lo.min(p), hi.max(p)]);
+        Self { open: odd.len(), unpaired, repeated: repeated(mesh.triangles(), &welded), first, borders, bounds }
     }
 
     /// Whether the surface has no end: it has an inside by parity.
     pub const fn is_closed(&self) -> bool {
         self.open == 0
+    }
+
+    /// Finds the shortest path along an axis from a point out of the bounds: its length and its direction. The length is
+    /// negative outside.
+    pub(super) fn exit(&self, point: DVec3) -> (f64, [i8; 3]) {
+        let [lo, hi] = self.bounds;
+        let lengths = [hi - point, point - lo].map(|lengths| lengths.to_array()).into_iter().flatten();
+        let exits = lengths.zip([[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]]);
+        exits.reduce(|least, exit| if exit.0 < least.0 { exit } else { least }).unwrap_or((-1.0, [1, 0, 0]))
     }
 
     /// Whether the faces run through every edge equally often in both directions: the winding number is an integer.

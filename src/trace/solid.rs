@@ -1,5 +1,6 @@
 //! Inside and outside: which points are in the solid that a closed mesh bounds.
 
+use super::winding::{along, vector};
 use super::{Boundary, MeshQueries, OpenEdge, RayQueries, Winding};
 use crate::geom::{Ball, Mesh, Ray, RayError, Real as _, Vector};
 
@@ -15,6 +16,20 @@ pub enum Rule {
     /// Points with a [winding number](Winding) above 1/2 are inside, whatever the mesh. Where it has holes, this is a
     /// good guess.
     Winding,
+}
+
+impl Rule {
+    /// All rules.
+    pub const ALL: [Self; 3] = [Self::Parity, Self::Nonzero, Self::Winding];
+
+    /// Its name: `parity`, `nonzero` or `winding`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Parity => "parity",
+            Self::Nonzero => "nonzero",
+            Self::Winding => "winding",
+        }
+    }
 }
 
 /// Where a point is.
@@ -64,6 +79,7 @@ pub enum SolidError {
 #[derive(Clone, Copy, Debug)]
 pub struct Solid<'t, T, V: Vector> {
     tracer: &'t T,
+    boundary: &'t Boundary,
     rule: Rule,
     winding: Winding<'t, T, V>,
 }
@@ -80,7 +96,7 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
         if rule == Rule::Nonzero && !boundary.is_oriented() {
             return Err(SolidError::Unoriented(boundary.unpaired));
         }
-        Ok(Self { tracer, rule, winding: Winding::new(tracer, mesh, boundary) })
+        Ok(Self { tracer, boundary, rule, winding: Winding::new(tracer, mesh, boundary) })
     }
 
     /// Says where a point is, exactly. `[CLOSED-2]`
@@ -88,16 +104,18 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn locate(&self, point: V) -> Result<Location, RayError> {
-        let (zero, one) = (V::Real::ZERO, V::Real::ONE);
-        let axes = [[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(V::from_components);
-        // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0 hits
-        // it.
-        for axis in axes {
-            if self.tracer.any(&Ray::within(point, axis, zero, zero)?) {
-                return Ok(Location::Surface);
+        along(point, [1, 0, 0])?;
+        if self.boundary.exit(point.widen()).0 >= 0.0 {
+            let zero = V::Real::ZERO;
+            // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0
+            // hits it.
+            for axis in [[1, 0, 0], [0, 1, 0], [0, 0, 1]] {
+                if self.tracer.any(&Ray::within(point, vector(axis), zero, zero)?) {
+                    return Ok(Location::Surface);
+                }
             }
         }
-        Ok(if self.is_inside(&along_x(point)?)? { Location::Inside } else { Location::Outside })
+        Ok(if self.is_inside(point)? { Location::Inside } else { Location::Outside })
     }
 
     /// Measures how far a point is from the mesh: the float nearest to the exact distance, negative inside. It is 0 on
@@ -120,27 +138,26 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn signed_distance(&self, point: V) -> Result<V::Real, RayError> {
-        let ray = along_x(point)?;
+        along(point, [1, 0, 0])?;
         // A point that may be the origin of a ray may be the middle of a ball.
         let near = Ball::around(point).ok().and_then(|ball| self.tracer.nearest(&ball));
         let distance = near.map_or(V::Real::INFINITY, |near| near.distance);
         // Points on the surface have the distance 0.
-        let is_inside = distance > V::Real::ZERO && self.is_inside(&ray)?;
+        let is_inside = distance > V::Real::ZERO && self.is_inside(point)?;
         Ok(if is_inside { V::Real::rounded(-distance.into()) } else { distance })
     }
 
-    /// Whether the origin of a ray, which is not on the surface, is inside.
-    fn is_inside(&self, ray: &Ray<V>) -> Result<bool, RayError> {
+    /// Whether a point that is not on the surface is inside. Of a closed mesh all rays say the same, so that the shortest
+    /// path out of it is taken.
+    fn is_inside(&self, point: V) -> Result<bool, RayError> {
+        let (length, exit) = self.boundary.exit(point.widen());
         Ok(match self.rule {
-            Rule::Parity => self.tracer.crossings(ray) % 2 == 1,
-            Rule::Nonzero => self.tracer.winding(ray) != 0,
-            Rule::Winding => self.winding.number(ray.origin())? > 0.5,
+            Rule::Winding => self.winding.number(point)? > 0.5,
+            _ if length < 0.0 => false,
+            Rule::Parity => self.tracer.crossings(&along(point, exit)?) % 2 == 1,
+            Rule::Nonzero => self.tracer.winding(&along(point, exit)?) != 0,
         })
     }
-}
-
-fn along_x<V: Vector>(point: V) -> Result<Ray<V>, RayError> {
-    Ray::new(point, V::from_components([V::Real::ONE, V::Real::ZERO, V::Real::ZERO]))
 }
 
 fn named(edge: Option<OpenEdge>) -> String {

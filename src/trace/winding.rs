@@ -16,12 +16,10 @@
 //! are: a hierarchy of dipoles (Barill et al. 2018, "Fast winding numbers for soups and clouds") approximates all
 //! triangles instead. `[WINDING-1]`
 
-use std::f64::consts::PI;
-
 use glam::DVec3;
 
 use super::{Border, Boundary, MeshQueries};
-use crate::geom::{Mesh, Ray, RayError, Real as _, Vector};
+use crate::geom::{Mesh, Ray, RayError, Real as _, Vector, fan};
 
 /// The winding numbers of a mesh: about how often its surface winds around a point.
 ///
@@ -46,14 +44,17 @@ use crate::geom::{Mesh, Ray, RayError, Real as _, Vector};
 pub struct Winding<'t, T, V: Vector> {
     tracer: &'t T,
     vertices: &'t [V],
-    borders: &'t [Border],
+    boundary: &'t Boundary,
 }
+
+/// The error of an edge of the border that is not computed again by more digits.
+const CLOSE: f64 = 1e-12;
 
 /// The error that a number may have where one of the directions allows it. `[WINDING-2]`
 const TOLERANCE: f64 = 1e-9;
 
-/// Directions of rays, which are tried one after the other. The first are fast, and meet the edges of boxes; the last
-/// meet what no one draws.
+/// Directions of rays, which are tried after the one that leaves the mesh soonest. The first are fast, but often meet edges
+/// of boxes; the last rarely meet an edge.
 const DIRECTIONS: [[i8; 3]; 12] = [
     [1, 0, 0],
     [0, 1, 0],
@@ -72,20 +73,21 @@ const DIRECTIONS: [[i8; 3]; 12] = [
 impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
     /// The winding numbers of a mesh; `tracer` and `boundary` must be made of it.
     pub fn new(tracer: &'t T, mesh: &'t Mesh<V>, boundary: &'t Boundary) -> Self {
-        Self { tracer, vertices: mesh.vertices(), borders: &boundary.borders }
+        Self { tracer, vertices: mesh.vertices(), boundary }
     }
 
     /// The winding number of a point: without an error for a mesh without a border.
     ///
-    /// Otherwise its error is below 1e-9, unless the point is next to an edge of the border: so near that it sees the
-    /// ends of the edge under 180 degrees, within some 1e-5. There the number itself jumps. `[WINDING-2]`
+    /// Otherwise its error is below 1e-9, unless the point is on an edge of the border, or next to it by less than about
+    /// 1e-20 of its length. There the number itself jumps. `[WINDING-2]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn number(&self, point: V) -> Result<f64, RayError> {
-        let fan = |e: [i8; 3]| self.fan(point.widen(), DVec3::from(e.map(f64::from)).normalize());
-        let mut best = (fan(DIRECTIONS[0]), DIRECTIONS[0]);
-        for e in &DIRECTIONS[1..] {
+        let fan = |e: [i8; 3]| self.fan(point.widen(), DVec3::from(e.map(f64::from)));
+        let (_, exit) = self.boundary.exit(point.widen());
+        let mut best = (fan(exit), exit);
+        for e in &DIRECTIONS {
             if best.0.error <= TOLERANCE {
                 break;
             }
@@ -95,28 +97,32 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
             }
         }
         let (fan, e) = best;
-        let direction = V::from_components(e.map(|x| V::Real::rounded(x.into())));
-        Ok(f64::from(self.tracer.winding(&Ray::new(point, direction)?)) + fan.number)
+        Ok(f64::from(self.tracer.winding(&along(point, e)?)) + fan.number)
     }
 
     /// The fan from the opposite of the direction `e`, as seen from a point.
     fn fan(&self, point: DVec3, e: DVec3) -> Fan {
-        let mut fan = Fan { number: 0.0, error: 0.0 };
-        for &Border { ends, faces } in self.borders {
-            let ends = ends.map(|end| direction(point, self.vertices[end as usize].widen()));
-            let [Some(a), Some(b)] = ends else { continue };
-            // Twice the tangent of half the angle is the quotient of these.
-            let top = -e.dot(a.cross(b));
-            let bottom = 1.0 - e.dot(a) + a.dot(b) - e.dot(b);
-            fan.number += f64::from(faces) * top.atan2(bottom) / (2.0 * PI);
-            fan.error += f64::from(faces) * ROUNDED / top.hypot(bottom).max(f64::MIN_POSITIVE);
-            // The ray may be on the other side of the edge than the sum.
-            if bottom < 0.0 && top.abs() <= PI * ROUNDED {
-                fan.error = f64::INFINITY;
+        let (mut fan, unit) = (Fan { number: 0.0, error: 0.0 }, e.normalize());
+        for &Border { ends, faces } in &self.boundary.borders {
+            let ends = ends.map(|end| self.vertices[end as usize].widen());
+            let mut share = fan::share(point, ends, unit);
+            if share[1] > CLOSE {
+                share = fan::fine_share(point, ends, e).unwrap_or(share);
             }
+            fan.number += f64::from(faces) * share[0];
+            fan.error += f64::from(faces) * share[1];
         }
         fan
     }
+}
+
+/// The ray from a point in a direction.
+pub(super) fn along<V: Vector>(point: V, direction: [i8; 3]) -> Result<Ray<V>, RayError> {
+    Ray::new(point, vector(direction))
+}
+
+pub(super) fn vector<V: Vector>(direction: [i8; 3]) -> V {
+    V::from_components(direction.map(|x| V::Real::rounded(x.into())))
 }
 
 /// The fan of triangles from a direction to a border.
@@ -126,17 +132,6 @@ struct Fan {
     number: f64,
     /// The most that rounding may have changed that.
     error: f64,
-}
-
-/// What rounding changes the parts of the quotient by, over π. `[WINDING-2]`
-const ROUNDED: f64 = 32.0 * f64::EPSILON;
-
-/// The vector of length 1 from one point to another, however far away; `None` if they are one point.
-fn direction(from: DVec3, to: DVec3) -> Option<DVec3> {
-    let whole = to - from;
-    let way = if whole.is_finite() { whole } else { to * 0.5 - from * 0.5 };
-    let most = way.abs().max_element();
-    (most > 0.0).then(|| (way / most).normalize())
 }
 
 #[cfg(test)]

@@ -24,6 +24,7 @@ mod regressions;
 mod rocq_vectors;
 mod secondary;
 mod slabs;
+mod solids;
 mod state;
 mod usage;
 mod wide;

@@ -23,7 +23,7 @@ pub(crate) fn chosen(asked: Option<Builder>, methods: &[Method]) -> Builder {
     asked.unwrap_or(if methods.contains(&Method::Complete) { Builder::Median } else { Builder::default() })
 }
 
-/// The command asks rays alone, which miss degenerate triangles.
+/// For rays, which miss degenerate triangles.
 pub(crate) fn options(builder: Builder) -> BuildOptions {
     BuildOptions { builder, degenerate: Degenerate::LeftOut, ..BuildOptions::default() }
 }
@@ -33,9 +33,21 @@ pub(crate) fn binary<V: Position>(builder: Builder, scene: &Scene<V>) -> Result<
     watched(builder, scene, |progress| options(builder).build_watched(&scene.mesh, progress))
 }
 
-/// A wide one, with a progress bar.
+/// A wide hierarchy for rays, with a progress bar.
 pub(crate) fn wide<V: Precision + Position>(builder: Builder, scene: &Scene<V>) -> Result<WideBvh<8, V>, WideError> {
-    watched(builder, scene, |progress| options(builder).build_wide_watched(&scene.mesh, progress))
+    wide_by(options(builder), scene)
+}
+
+/// A wide hierarchy for points, with a progress bar: degenerate triangles may be nearest.
+pub(crate) fn wide_for_points<V: Precision + Position>(
+    builder: Builder,
+    scene: &Scene<V>,
+) -> Result<WideBvh<8, V>, WideError> {
+    wide_by(BuildOptions { builder, ..BuildOptions::default() }, scene)
+}
+
+fn wide_by<V: Precision + Position>(options: BuildOptions, scene: &Scene<V>) -> Result<WideBvh<8, V>, WideError> {
+    watched(options.builder, scene, |progress| options.build_wide_watched(&scene.mesh, progress))
 }
 
 fn watched<V: Position, R>(builder: Builder, scene: &Scene<V>, run: impl FnOnce(&(dyn Fn(usize) + Sync)) -> R) -> R {

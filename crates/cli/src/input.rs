@@ -10,7 +10,7 @@ use stackless_bvh::geom::{Mesh, Real as _, Triangle, lanes};
 use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
-use stackless_scene::{Position, SceneError};
+use stackless_scene::{Format, LoadedRows, Position, Row, RowFileError, SceneError, UnknownFormat};
 use stackless_suite::Traversal;
 
 use crate::output;
@@ -78,6 +78,20 @@ impl<V: Position> Scene<V> {
             count => Some(say(output::grouped(count as u64), "have no area: rays miss them")),
         }
     }
+}
+
+/// The format that the extension of a file names; without one, `other`.
+pub(crate) fn format(path: &Path, other: Format) -> Result<Format, UnknownFormat> {
+    Ok(Format::of(path)?.unwrap_or(other))
+}
+
+/// Reads rays or points, and returns the name of their file for messages. `-` is the standard input.
+pub(crate) fn rows<R: Row>(path: &Path, format: Format) -> Result<(&Path, LoadedRows<R>), RowFileError> {
+    if path.as_os_str() != "-" {
+        return Ok((path, stackless_scene::read_rows(path, format)?));
+    }
+    let name = Path::new("standard input");
+    Ok((name, stackless_scene::read_rows_from(std::io::stdin().lock(), name, format)?))
 }
 
 fn made<V: Position>(name: &str) -> Option<Mesh<V>> {

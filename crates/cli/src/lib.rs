@@ -19,6 +19,7 @@ mod methods;
 mod output;
 mod places;
 mod plots;
+mod points;
 mod record;
 mod render;
 mod run;

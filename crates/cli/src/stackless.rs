@@ -3,7 +3,7 @@
 use clap::Parser;
 
 use crate::run::{Outcome, Program};
-use crate::{bench, check, conform, explain, generate, merge, methods, render, stats, stress, suite, trace};
+use crate::{bench, check, conform, explain, generate, merge, methods, points, render, stats, stress, suite, trace};
 
 /// Exact ray tracing on triangle meshes, and stackless traversals that are checked and measured.
 #[derive(Parser)]
@@ -16,6 +16,10 @@ use crate::{bench, check, conform, explain, generate, merge, methods, render, st
 pub(crate) enum Stackless {
     /// Trace the rays of a file through a scene.
     Trace(trace::Args),
+    /// Say which points are inside of a closed mesh.
+    Contains(points::Contains),
+    /// Find the nearest point of a mesh, and how far it is.
+    Nearest(points::Nearest),
     /// Draw a scene, or what its traversal costs.
     Render(render::Args),
     /// Compare every traversal with the oracle, on abstract trees and on scenes.
@@ -44,6 +48,8 @@ impl Program for Stackless {
     fn run(self) -> Outcome {
         match self {
             Self::Trace(args) => trace::run(&args),
+            Self::Contains(args) => args.run(),
+            Self::Nearest(args) => args.run(),
             Self::Render(args) => render::run(&args),
             Self::Check(args) => check::run(&args, &check::Extra::default()),
             Self::Bench(args) => bench::run(&args, &bench::Extra::default()),

@@ -1,7 +1,8 @@
-//! `stackless trace`: the caller's rays through a scene.
+//! `stackless trace`: the user's rays through a scene.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::io::{self, Write};
+use std::path::PathBuf;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -9,10 +10,12 @@ use stackless_bvh::bvh::{Builder, Bvh};
 use stackless_bvh::geom::kernel::Exact64;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
-use stackless_bvh::trace::{self, Accuracy, BinaryTracer, Hit, KernelShape, RayQueries, Tracer, WithTests};
+use stackless_bvh::trace::{
+    self, Accuracy, BinaryTracer, Hit, KernelShape, MeshQueries as _, RayQueries, Tracer, WithTests,
+};
 use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::wide;
-use stackless_scene::{Float, Format, Position};
+use stackless_scene::{Cell, Column, Float, Format, Position, write_table};
 use stackless_suite::Traversal;
 
 use crate::Outcome;
@@ -28,15 +31,15 @@ use crate::places::{self, Output};
 /// with the other columns empty. t is the distance in lengths of the direction; u and v are the weights of the second
 /// and the third corner.
 ///
-/// JSON lines (.jsonl) have the same: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
-/// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) have rows of 6 or 8 floats, and records of prim, t, u, v.
+/// JSON lines (.jsonl) hold the same: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
+/// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) hold rows of 6 or 8 floats, and records of prim, t, u, v.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.csv\n  \
     stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy --single\n  \
+    stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o - --query all\n  \
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
-#[expect(clippy::struct_excessive_bools, reason = "options that are given or not")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
@@ -61,9 +64,10 @@ pub(crate) struct Args {
     /// How exact the answers are to be; other than exact only with --single.
     #[arg(long, default_value = "exact", value_parser = input::accuracy())]
     accuracy: Accuracy,
-    /// End at the first hit that is met, instead of finding the closest.
-    #[arg(long)]
-    any: bool,
+    /// What to find for each ray: the closest hit; any hit, which is faster; all hits, in order, one line each with the
+    /// number of the ray; or the number of crossings, which counts a closed mesh's edges and corners once.
+    #[arg(long, default_value = "closest", value_parser = input::names(Query::ALL, Query::name))]
+    query: Query,
     /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
     #[arg(long)]
     faces: bool,
@@ -71,13 +75,32 @@ pub(crate) struct Args {
     /// many numbers are rounded and by how much. [default: double precision]
     #[arg(long)]
     single: bool,
-    /// Read scene and rays in double precision, and answer in it: the default.
-    #[arg(long, hide = true, conflicts_with = "single")]
-    double: bool,
 }
 
 pub(crate) fn run(args: &Args) -> Outcome {
     if args.single { args.answer(Args::in_single) } else { args.answer(Args::in_double) }
+}
+
+/// A kind of query.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Query {
+    Closest,
+    Any,
+    All,
+    Crossings,
+}
+
+impl Query {
+    const ALL: [Self; 4] = [Self::Closest, Self::Any, Self::All, Self::Crossings];
+
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Closest => "closest",
+            Self::Any => "any",
+            Self::All => "all",
+            Self::Crossings => "crossings",
+        }
+    }
 }
 
 /// Options that do not go together.
@@ -87,15 +110,23 @@ enum Unfitting {
     Double(Accuracy),
     #[error("--accuracy {0}: {1} is always exact; choose a traversal of binary trees")]
     Accuracy(Accuracy, wide::Method),
+    #[error("--query crossings: {0} does not count them; choose a traversal of wide trees, or leave --method out")]
+    Crossings(Method),
 }
 
-/// What was found of a scene's rays.
+/// The answers for all rays, and the traversal that gave them.
 struct Traced<F> {
     method: &'static str,
-    hits: Hits<F>,
+    answers: Answers<F>,
 }
 
-type Hits<F = f32> = Vec<Option<Hit<F>>>;
+/// One answer per ray.
+enum Answers<F = f32> {
+    /// The closest, or any.
+    Hits(Vec<Option<Hit<F>>>),
+    All(Vec<Vec<Hit<F>>>),
+    Crossings(Vec<u32>),
+}
 
 impl Args {
     /// Reads scene and rays, and writes what `trace` finds.
@@ -103,24 +134,16 @@ impl Args {
         &self,
         trace: impl FnOnce(&Self, &Scene<V>, &[Ray<V>]) -> Result<Traced<V::Real>, Box<dyn Error>>,
     ) -> Outcome {
-        let written_as = self.format_of(&self.output)?;
-        let read_as = self.format_of(&self.rays)?;
-        let (name, rays) = if self.rays.as_os_str() == "-" {
-            let name = Path::new("standard input");
-            (name, stackless_scene::read_rays_from(std::io::stdin().lock(), name, read_as)?)
-        } else {
-            (&*self.rays, stackless_scene::read_rays(&self.rays, read_as)?)
-        };
+        let written_as = input::format(&self.output, self.format)?;
+        let read_as = input::format(&self.rays, self.format)?;
+        let (name, rays) = input::rows(&self.rays, read_as)?;
         let scene = Scene::load(&self.scene)?;
         if let Some(note) = rays.note(name, stackless_scene::size(&scene.mesh)) {
             output::warn(&note);
         }
-        let Traced { method, hits } = trace(self, &scene, &rays.rays)?;
-        let faces: &[u32] = if self.faces { &scene.faces } else { &[] };
-        let number = |prim| faces.get(prim as usize).copied().unwrap_or(prim);
-        let rows = hits.iter().map(|hit| hit.map(|Hit { prim, t, u, v }| (number(prim), t, u, v)));
-        write_file(&self.output, |file| stackless_scene::write_hits(file, rows, written_as))?;
-        let counts = [count(hits.len() as u64, "ray"), count(hits.iter().flatten().count() as u64, "hit")].join(", ");
+        let Traced { method, answers } = trace(self, &scene, &rays.rows)?;
+        write_file(&self.output, |file| answers.write(file, written_as, self.numbers(&scene)))?;
+        let counts = format!("{}, {}", count(rays.rows.len() as u64, "ray"), answers.count());
         let precision = <V::Real as Float>::PRECISION;
         say!("{}: {counts}, by {method}, {}, in {precision} precision", scene.name, self.accuracy);
         if let Some(note) = scene.degenerate_note() {
@@ -129,13 +152,18 @@ impl Args {
         Ok(true)
     }
 
+    /// The number of each triangle in the answers, or none if it is its own.
+    fn numbers<'s, V: Position>(&self, scene: &'s Scene<V>) -> &'s [u32] {
+        if self.faces { &scene.faces } else { &[] }
+    }
+
     fn in_single(&self, scene: &Scene, rays: &[Ray]) -> Result<Traced<f32>, Box<dyn Error>> {
         match self.traversal()? {
             Traversal::Binary(method) => {
                 let bvh = build::binary(build::chosen(self.build, &[method]), scene)?;
-                let traced = trace::with_level(self.accuracy, Binary { method, bvh, any: self.any, rays });
-                let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
-                Ok(Traced { method: method.name(), hits })
+                let traced = trace::with_level(self.accuracy, self.by_binary(method, bvh, rays)?);
+                let answers = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
+                Ok(Traced { method: method.name(), answers })
             }
             Traversal::Wide(method) => self.by_wide(method, scene, rays),
         }
@@ -150,9 +178,9 @@ impl Args {
             Traversal::Binary(method) => method,
         };
         let bvh = build::binary(build::chosen(self.build, &[method]), scene)?;
-        let traced = Binary { method, bvh, any: self.any, rays }.run::<Exact64, slabs::Slabs64>();
-        let hits = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
-        Ok(Traced { method: method.name(), hits })
+        let traced = self.by_binary(method, bvh, rays)?.run::<Exact64, slabs::Slabs64>();
+        let answers = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
+        Ok(Traced { method: method.name(), answers })
     }
 
     fn by_wide<V: Precision + Position>(
@@ -163,14 +191,26 @@ impl Args {
     ) -> Result<Traced<V::Real>, Box<dyn Error>> {
         let bvh = build::wide(self.build.unwrap_or_default(), scene)?;
         let tracer = Tracer::with_method(&bvh, method).map_err(|unfit| format!("{method}: {unfit}"))?;
-        let each = |rays: &[Ray<V>]| if self.any { tracer.any_hit_each(rays) } else { tracer.closest_each(rays) };
-        Ok(Traced { method: method.name(), hits: in_chunks(rays, each) })
+        let answers = match self.query {
+            Query::Crossings => {
+                let each = |rays: &[Ray<V>]| rays.iter().map(|ray| tracer.crossings(ray)).collect();
+                Answers::Crossings(in_chunks(rays, each))
+            }
+            query => hits(query, &tracer, rays),
+        };
+        Ok(Traced { method: method.name(), answers })
     }
 
-    /// What the extension of a file says; without one, what the option says.
-    fn format_of(&self, path: &Path) -> Result<Format, String> {
-        let told = Format::of(path).map_err(|error| error.to_string())?;
-        Ok(told.unwrap_or(self.format))
+    fn by_binary<'a, V: Vector>(
+        &self,
+        method: Method,
+        bvh: Bvh<Triangle<V>>,
+        rays: &'a [Ray<V>],
+    ) -> Result<Binary<'a, V>, Unfitting> {
+        match self.query {
+            Query::Crossings => Err(Unfitting::Crossings(method)),
+            query => Ok(Binary { method, bvh, query, rays }),
+        }
     }
 
     /// The traversal in single precision.
@@ -190,39 +230,93 @@ impl Args {
 struct Binary<'a, V: Vector = Vec3> {
     method: Method,
     bvh: Bvh<Triangle<V>>,
-    any: bool,
+    query: Query,
     rays: &'a [Ray<V>],
 }
 
 impl<V: Vector> Binary<'_, V> {
-    fn run<K, B>(self) -> Result<Hits<V::Real>, Unsupported>
+    fn run<K, B>(self) -> Result<Answers<V::Real>, Unsupported>
     where
         K: Kernel<Vector = V, Shape: From<Triangle<V>>>,
         B: Slabs<Vector = V>,
     {
-        let Self { method, bvh, any, rays } = self;
+        let Self { method, bvh, query, rays } = self;
         let bvh = bvh.with_links(method.wants_recorded()).map(K::Shape::from);
         let tracer = BinaryTracer::<_, K, B>::with_tests(&bvh, method)?;
-        Ok(in_chunks(rays, |chunk| if any { tracer.any_hit_each(chunk) } else { tracer.closest_each(chunk) }))
+        Ok(hits(query, &tracer, rays))
     }
 }
 
 impl WithTests for Binary<'_> {
-    type Output = Result<Hits, Unsupported>;
+    type Output = Result<Answers, Unsupported>;
 
     fn call<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>>(self) -> Self::Output {
         self.run::<K, B>()
     }
 }
 
-/// All answers, on all threads, with a progress bar.
-fn in_chunks<V: Vector>(rays: &[Ray<V>], each: impl Fn(&[Ray<V>]) -> Hits<V::Real> + Sync + Send) -> Hits<V::Real> {
-    let progress = bar(rays.len() as u64, "rays");
-    let hits = rays.par_chunks(1024).flat_map_iter(|chunk| {
+/// The hits of all rays; of crossings there are none.
+fn hits<V: Vector>(
+    query: Query,
+    tracer: &(impl RayQueries<Ray<V>, Hit = Hit<V::Real>> + Sync),
+    rays: &[Ray<V>],
+) -> Answers<V::Real> {
+    match query {
+        Query::Any => Answers::Hits(in_chunks(rays, |rays| tracer.any_hit_each(rays))),
+        Query::All => Answers::All(in_chunks(rays, |rays| tracer.all_each(rays))),
+        Query::Closest | Query::Crossings => Answers::Hits(in_chunks(rays, |rays| tracer.closest_each(rays))),
+    }
+}
+
+impl<F: Float> Answers<F> {
+    /// Writes a table. `numbers` has the number of each triangle, or none if it is its own.
+    fn write(&self, file: impl Write, format: Format, numbers: &[u32]) -> io::Result<()> {
+        let [u, v] = ["u", "v"].map(|name| Column::Number(name, f64::NAN));
+        let [prim, t] = [Column::Integer("prim"), Column::Number("t", f64::INFINITY)];
+        let cells = |hit: &Hit<F>| {
+            let prim = numbers.get(hit.prim as usize).copied().unwrap_or(hit.prim);
+            [Cell::Integer(prim.into()), Cell::Number(hit.t), Cell::Number(hit.u), Cell::Number(hit.v)]
+        };
+        match self {
+            Self::Hits(hits) => {
+                let miss = [Cell::Integer(-1), Cell::Missing, Cell::Missing, Cell::Missing];
+                let rows = hits.iter().map(|hit| hit.as_ref().map_or(miss, cells));
+                write_table(file, [prim, t, u, v], rows, format)
+            }
+            Self::All(all) => {
+                let row = |ray: usize, hit| {
+                    let [prim, t, u, v] = cells(hit);
+                    [Cell::Integer(ray as i64), prim, t, u, v]
+                };
+                let rows = all.iter().enumerate().flat_map(|(ray, hits)| hits.iter().map(move |hit| (ray, hit)));
+                let rows: Vec<_> = rows.map(|(ray, hit)| row(ray, hit)).collect();
+                write_table(file, [Column::Integer("ray"), prim, t, u, v], rows.into_iter(), format)
+            }
+            Self::Crossings(counts) => {
+                let rows = counts.iter().map(|&count| [Cell::<F>::Integer(count.into())]);
+                write_table(file, [Column::Integer("crossings")], rows, format)
+            }
+        }
+    }
+
+    /// Says how many there are.
+    fn count(&self) -> String {
+        match self {
+            Self::Hits(hits) => count(hits.iter().flatten().count() as u64, "hit"),
+            Self::All(all) => count(all.iter().map(Vec::len).sum::<usize>() as u64, "hit"),
+            Self::Crossings(counts) => count(counts.iter().map(|&count| u64::from(count)).sum(), "crossing"),
+        }
+    }
+}
+
+/// Answers all rows on all threads, with a progress bar.
+pub(crate) fn in_chunks<R: Sync, A: Send>(rows: &[R], each: impl Fn(&[R]) -> Vec<A> + Sync + Send) -> Vec<A> {
+    let progress = bar(rows.len() as u64, "rows");
+    let answers = rows.par_chunks(1024).flat_map_iter(|chunk| {
         progress.inc(chunk.len() as u64);
         each(chunk)
     });
-    let hits = hits.collect();
+    let answers = answers.collect();
     progress.finish_and_clear();
-    hits
+    answers
 }

@@ -17,6 +17,8 @@ mod merge;
 #[cfg(unix)]
 #[path = "cli/outside.rs"]
 mod outside;
+#[path = "cli/points.rs"]
+mod points;
 #[path = "cli/precision.rs"]
 mod precision;
 #[path = "cli/refused.rs"]

@@ -1,7 +1,7 @@
-//! Triangle meshes, rays and hits: reading and writing files.
+//! Triangle meshes, rays, points and answers: reading and writing files.
 //!
-//! [`load`] reads a mesh, [`read_rays`] the rays to trace through it, [`write_hits`] writes what they hit, and
-//! [`write_atomically`] sees to it that a failed run leaves no half a file behind.
+//! [`load`] reads a mesh, [`read_rows`] rays or points to ask it about, and [`write_table`] writes the answers.
+//! [`write_atomically`] leaves no partial file behind if a run fails.
 //!
 //! A file is data from outside: whatever it holds, the answer is a valid [`Mesh`] or an error of one line that
 //! says where (line, or element such as `face 3`), what was found and what was expected. No count in a file is
@@ -25,8 +25,8 @@ mod output;
 mod ply;
 mod polygon;
 mod property;
-mod rays;
 mod rounding;
+mod rows;
 mod saved;
 mod stl;
 mod text;
@@ -38,11 +38,12 @@ pub use note::{Note, NoteKind};
 pub use obj::read_obj;
 pub use output::{abandon_writes, check_writable, resolve, write_atomically};
 pub use ply::read_ply;
-pub use property::{FileFault, MeshFormat, check_mesh_file, check_ray_file};
-pub use rays::{
-    Format, HitRow, LoadedRays, RayFault, RayFileError, UnknownFormat, read_rays, read_rays_from, write_hits,
-};
+pub use property::{FileFault, MeshFormat, check_mesh_file, check_row_file};
 pub use rounding::{Rounding, size};
+pub use rows::{
+    Cell, Column, Format, Kind, LoadedRows, Point, Row, RowFault, RowFileError, UnknownFormat, read_rows,
+    read_rows_from, write_table,
+};
 pub use saved::{SavedError, scene_from_bytes, scene_to_bytes};
 pub use stl::read_stl;
 pub use text::read_text;

@@ -1,13 +1,12 @@
-//! The property bodies of file readers: whatever the bytes are, a mesh or rays that are in order, or a message of one
-//! line.
+//! The property bodies of file readers: whatever the bytes are, a valid mesh or valid rows, or a message of one line.
 
 use std::borrow::Cow;
-use std::fmt::Write;
+use std::fmt::{Debug, Write};
 
 use crate::stl;
 use crate::text::{MARK, as_utf8};
-use crate::{Format, Loaded, Position, ReadError, read_gltf, read_obj, read_ply, read_rays_from, read_stl};
-use glam::DVec3;
+use crate::{Format, Loaded, Point, Position, ReadError, Row, read_gltf, read_obj, read_ply, read_rows_from, read_stl};
+use glam::{DVec3, Vec3};
 use stackless_bvh::geom::{Mesh, Ray};
 
 /// What is wrong with a reader.
@@ -17,7 +16,7 @@ pub enum FileFault {
     #[error("not a message of one line: {0:?}")]
     Message(String),
     /// More was read than there are bytes.
-    #[error("{elements} vertices, triangles or rays from {bytes} bytes")]
+    #[error("{elements} vertices, triangles or rows from {bytes} bytes")]
     Size {
         /// What was read.
         elements: usize,
@@ -138,45 +137,52 @@ fn is_same(a: &Mesh, b: &Mesh) -> bool {
     bits(a) == bits(b) && a.triangles() == b.triangles()
 }
 
-/// Reads rays, as a file of each format. If they are accepted, they are written, and must come back.
+/// Reads rays and points, as a file of each format. Accepted rows are written, and must come back.
 ///
-/// Returns whether they are accepted as one.
+/// Returns whether any format accepts them.
 ///
 /// # Errors
 /// The first fault.
-pub fn check_ray_file(bytes: &[u8]) -> Result<bool, FileFault> {
+pub fn check_row_file(bytes: &[u8]) -> Result<bool, FileFault> {
     let mut is_accepted = false;
     for format in Format::ALL {
-        is_accepted |= check_ray_file_as(bytes, format)?;
+        is_accepted |= check_row_file_as(bytes, format, |ray: &Ray| {
+            let (o, d) = (ray.origin(), ray.direction());
+            vec![o.x, o.y, o.z, d.x, d.y, d.z, ray.tmin(), ray.tmax()]
+        })?;
+        is_accepted |= check_row_file_as(bytes, format, |Point(point): &Point<Vec3>| point.to_array().to_vec())?;
     }
     Ok(is_accepted)
 }
 
-fn check_ray_file_as(bytes: &[u8], format: Format) -> Result<bool, FileFault> {
-    let read = |bytes: &[u8], format| read_rays_from(bytes, "rays", format);
-    let rays = match read(bytes, format) {
-        Ok(loaded) => loaded.rays,
+fn check_row_file_as<R: Row + Debug>(
+    bytes: &[u8],
+    format: Format,
+    numbers: impl Fn(&R) -> Vec<f32>,
+) -> Result<bool, FileFault> {
+    let read = |bytes: &[u8], format| read_rows_from::<R>(bytes, "rows", format);
+    let rows = match read(bytes, format) {
+        Ok(loaded) => loaded.rows,
         Err(error) => return message(error.to_string()),
     };
-    if rays.len() >= bytes.len() {
-        return Err(FileFault::Size { elements: rays.len(), bytes: bytes.len() });
+    if rows.len() >= bytes.len() {
+        return Err(FileFault::Size { elements: rows.len(), bytes: bytes.len() });
     }
     let rewritten = if format == Format::Npy { Vec::new() } else { rewritten(bytes, true) };
     for written in rewritten {
-        let same = read(&written, format).is_ok_and(|same| format!("{:?}", same.rays) == format!("{rays:?}"));
+        let same = read(&written, format).is_ok_and(|same| format!("{:?}", same.rows) == format!("{rows:?}"));
         if !same {
             return Err(FileFault::Changed(format!("not the same as {}", written.escape_ascii())));
         }
     }
-    let text = rays.iter().fold(String::new(), |mut text, ray: &Ray| {
-        let (o, d) = (ray.origin(), ray.direction());
-        let numbers = [o.x, o.y, o.z, d.x, d.y, d.z, ray.tmin(), ray.tmax()].map(|x| format!("{x:?}"));
-        let _ = writeln!(text, "{}", numbers.join(","));
+    let text = rows.iter().fold(String::new(), |mut text, row| {
+        let words: Vec<_> = numbers(row).iter().map(|x| format!("{x:?}")).collect();
+        let _ = writeln!(text, "{}", words.join(","));
         text
     });
     match read(text.as_bytes(), Format::Csv) {
-        Ok(back) if format!("{:?}", back.rays) == format!("{rays:?}") => Ok(true),
-        back => Err(FileFault::Changed(format!("{back:?} instead of {rays:?}"))),
+        Ok(back) if format!("{:?}", back.rows) == format!("{rows:?}") => Ok(true),
+        back => Err(FileFault::Changed(format!("{back:?} instead of {rows:?}"))),
     }
 }
 

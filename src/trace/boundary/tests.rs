@@ -99,7 +99,11 @@ proptest! {
         prop_assert_eq!([boundary.is_closed(), boundary.is_oriented()], [is_closed, is_oriented], "{:?}", boundary);
         prop_assert_eq!(boundary.first.is_none(), is_closed);
         for mesh in placed(&faces) {
-            prop_assert_eq!(&Boundary::of(&mesh), &boundary);
+            let moved = Boundary::of(&mesh);
+            let corners = || mesh.vertices().iter().map(|vertex| vertex.widen());
+            let bounds = [corners().reduce(DVec3::min), corners().reduce(DVec3::max)];
+            prop_assert_eq!(moved.bounds.map(Some), bounds);
+            prop_assert_eq!(&Boundary { bounds: boundary.bounds, ..moved }, &boundary);
         }
         // An edge that is named has an end at which an open piece of its line ends.
         if let Some(OpenEdge { face, ends, .. }) = boundary.first {

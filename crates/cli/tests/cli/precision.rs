@@ -53,7 +53,6 @@ fn a_survey_is_traced_as_it_is() {
     let double = trace("");
     assert_eq!(right_faces(&double.stdout), CELLS * CELLS, "{double:?}");
     assert!(double.stderr.contains("by wide-record, exact, in double precision\n"), "{double:?}");
-    assert_eq!(trace("--double").stdout, double.stdout);
     let single = trace("--single");
     assert_eq!(right_faces(&single.stdout), 0, "{single:?}");
     assert!(single.stderr.contains("by wide-record, exact, in single precision\n"), "{single:?}");
@@ -75,14 +74,14 @@ fn what_is_read_as_it_is_needs_no_note() {
     let folder = Folder::new();
     let mesh = folder.file("mesh.obj", "v 0 0 0.5\nv 16777216 0 -2.5e-1\nv 0 1e0 0\nf 1 2 3\n");
     let rays = folder.file("rays.csv", "0.125,.25,1,0,0,-1,0,inf\n");
-    for precision in ["--single", "--double"] {
+    for precision in ["--single", ""] {
         let out = folder.path("hits.csv");
         stackless(&format!("trace {precision} -o"), &[&out, Path::new("--rays"), &rays, &mesh]).passes();
     }
     // A number that only one of the precisions has.
     let mesh = folder.file("mesh.obj", "v 0 0 0\nv 16777217 0 0\nv 0 1 0\nf 1 2 3\n");
     let note = ": 1 of 9 numbers was rounded to single precision, by at most 6.0e-8 of the scene's size\n";
-    for (precision, said) in [("--single", note), ("--double", "")] {
+    for (precision, said) in [("--single", note), ("", "")] {
         let run = stackless(&format!("trace {precision} -o"), &[&folder.path("o"), Path::new("--rays"), &rays, &mesh]);
         assert_eq!(run.stderr.strip_prefix(mesh.to_str().unwrap()).unwrap_or(&run.stderr), said);
     }
@@ -97,12 +96,9 @@ fn what_double_precision_does_not_have_is_refused_by_its_name() {
         ("--accuracy precise --method hashed", "--accuracy precise: double precision is always exact; add --single"),
     ] {
         stackless(&format!("trace soup {options} -o - --rays"), &[&rays]).fails_naming(&[message]);
-        let options = options.replace("--double", "");
         let run = stackless(&format!("trace soup {options} --single -o - --rays"), &[&rays]);
         assert_eq!(run.code, Some(0), "{options}: {run:?}");
     }
-    let run = stackless("trace soup --single --double -o - --rays", &[&rays]);
-    assert!(run.code == Some(2) && run.stderr.contains("cannot be used with"), "{run:?}");
 }
 
 /// All are counted, also where no triangle is left.

@@ -1,7 +1,7 @@
 use glam::{DVec3, Vec3};
 
 use super::*;
-use crate::{Format, read_named, read_rays_from};
+use crate::{Format, read_named, read_rows_from};
 
 fn note<V: Position>(text: &str) -> Option<String> {
     read_named::<V>("a.obj".as_ref(), text.as_bytes()).unwrap().note("a.obj".as_ref())
@@ -25,7 +25,7 @@ fn decimals_are_counted_and_measured_by_the_scene() {
 
 #[test]
 fn rays_are_measured_by_their_scene() {
-    let rays = |text: &str| read_rays_from::<Vec3>(text.as_bytes(), "rays.csv", Format::Csv).unwrap();
+    let rays = |text: &str| read_rows_from::<Ray<Vec3>>(text.as_bytes(), "rays.csv", Format::Csv).unwrap();
     let note = |text, size| rays(text).note("r.csv".as_ref(), size).unwrap();
     let at = |most| format!("r.csv: 1 of 8 numbers was rounded to single precision, by at most {most}");
     let share = |most: &str| at(format!("{most} of the scene's size"));
@@ -70,11 +70,11 @@ fn every_text_counts_its_decimals() {
     let json = (r#"{"origin":[0,0.5,0],"direction":[0,0,0.1],"tmin":1e-1,"tmax":2}"#, Format::JsonLines);
     for (text, format) in [csv, json] {
         let Rounding { numbers, rounded, moved, turned } =
-            read_rays_from::<DVec3>(text.as_bytes(), "rays", format).unwrap().rounding;
+            read_rows_from::<Ray<DVec3>>(text.as_bytes(), "rays", format).unwrap().rounding;
         assert_eq!((numbers, rounded, moved), (8, 2, 0.0), "{format}");
         assert!((5e-17..2e-16).contains(&turned), "{format}: {turned:e}");
     }
     let json = r#"{"origin":[0,0,0],"direction":[0,0,1]}"#;
-    let rounding = read_rays_from::<DVec3>(json.as_bytes(), "rays", Format::JsonLines).unwrap().rounding;
+    let rounding = read_rows_from::<Ray<DVec3>>(json.as_bytes(), "rays", Format::JsonLines).unwrap().rounding;
     assert_eq!(rounding, Rounding { numbers: 6, ..Rounding::default() });
 }

@@ -1,40 +1,38 @@
-//! Rays to trace and hits found, in files: comma-separated values, JSON lines, `NumPy` arrays.
+//! Files of rays or points to read, and of answers to write: comma-separated values, JSON lines, `NumPy` arrays.
 
 mod csv;
 mod json_lines;
+mod kind;
 mod npy;
+mod table;
+
+pub use kind::{Kind, Point, Row};
+pub use table::{Cell, Column, write_table};
 
 use super::Rounding;
-use super::float::{Float, Position, is_finite};
+use super::float::{Float, is_finite};
 use super::number::Number;
 use super::text::{one_line, quote};
-use glam::Vec3;
-use stackless_bvh::geom::{Ray, RayError, Real as _};
+use stackless_bvh::geom::RayError;
 use std::fmt;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-
-/// Names of the columns, in order. The last two may be missing.
-const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "tmin", "tmax"];
-
-/// How many numbers a ray has without its interval, which then has no end.
-const UNBOUNDED: usize = 6;
 
 /// Longest line, in bytes: eight numbers take a few hundred.
 const LONGEST: usize = 4096;
 
-/// How rays and hits stand in a file.
+/// The format of a file of rays, points or answers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Format {
-    /// Comma-separated values: a ray is `ox,oy,oz,dx,dy,dz,tmin,tmax`, a hit `prim,t,u,v`.
+    /// Comma-separated values: a ray is `ox,oy,oz,dx,dy,dz,tmin,tmax`, a point `x,y,z`, a hit `prim,t,u,v`.
     #[default]
     Csv,
-    /// An object a line: a ray is `{"origin":[..],"direction":[..],"tmin":0,"tmax":null}`, a hit
-    /// `{"prim":0,"t":1.0,"u":0.5,"v":0.5}`.
+    /// One object per line: a ray is `{"origin":[..],"direction":[..],"tmin":0,"tmax":null}`, a point
+    /// `{"point":[..]}`, a hit `{"prim":0,"t":1.0,"u":0.5,"v":0.5}`.
     JsonLines,
-    /// A `NumPy` array: rays are rows of 6 or 8 floats, hits records of `prim`, `t`, `u`, `v`.
+    /// A `NumPy` array: rays are rows of 6 or 8 floats, points rows of 3, answers records with named fields.
     Npy,
 }
 
@@ -78,15 +76,6 @@ impl Format {
     fn other_name(self) -> Option<&'static str> {
         (self == Self::JsonLines).then_some("ndjson")
     }
-
-    /// What a ray looks like.
-    fn row(self) -> String {
-        match self {
-            Self::Csv => format!("line of {}", COLUMNS.join(",")),
-            Self::JsonLines => r#"line like {"origin":[0,0,0],"direction":[0,0,1],"tmin":0,"tmax":null}"#.to_owned(),
-            Self::Npy => "row of 6 or 8 numbers".to_owned(),
-        }
-    }
 }
 
 impl fmt::Display for Format {
@@ -100,9 +89,9 @@ impl fmt::Display for Format {
 #[error("{0}, expected csv, jsonl or npy")]
 pub struct UnknownFormat(String);
 
-/// Why a file holds no rays. One line that begins with the file.
+/// Why a file holds no rays or points. One line that begins with the file.
 #[derive(Debug, thiserror::Error)]
-pub enum RayFileError {
+pub enum RowFileError {
     /// The file is missing or cannot be read.
     #[error("{}: cannot be read: {error}", one_line(.file))]
     Io {
@@ -111,27 +100,29 @@ pub enum RayFileError {
         /// What the system says.
         error: io::Error,
     },
-    /// There is not one ray.
-    #[error("{}: no rays, expected at least one {}", one_line(.file), .format.row())]
+    /// The file has no rows.
+    #[error("{}: no {}, expected at least one {}", one_line(.file), .kind.plural(), .kind.row(*.format))]
     Empty {
         /// The file.
         file: PathBuf,
-        /// What it was read as.
+        /// The kind of row.
+        kind: Kind,
+        /// The format of the file.
         format: Format,
     },
-    /// A line or a row is not a ray.
+    /// A line or a row is wrong.
     #[error("{}: {} {number}: {fault}", one_line(.file), if *.format == Format::Npy { "row" } else { "line" })]
     Line {
         /// The file.
         file: PathBuf,
-        /// What it was read as.
+        /// The format of the file.
         format: Format,
         /// Number of the line, counted from 1, or of the row, counted from 0.
         number: u64,
         /// What is wrong.
-        fault: RayFault,
+        fault: RowFault,
     },
-    /// What stands before the rows is not that of an array of rays.
+    /// The bytes before the rows are wrong.
     #[error("{}: found {found}, expected {expected}", one_line(.file))]
     Array {
         /// The file.
@@ -143,19 +134,21 @@ pub enum RayFileError {
     },
 }
 
-/// Why a line or a row is not a ray.
+/// Why a line or a row is no ray or point.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum RayFault {
-    /// It is longer than any ray.
-    #[error("more than {LONGEST} bytes, expected a {}", .0.row())]
-    Length(Format),
+pub enum RowFault {
+    /// The line is longer than any row.
+    #[error("more than {LONGEST} bytes, expected a {}", .0.row(*.1))]
+    Length(Kind, Format),
     /// Too many or too few columns.
-    #[error("{found} columns, expected {expected}: {}", COLUMNS.join(","))]
+    #[error("{found} columns, expected {}: {}", kind.expected(*.first), .kind.columns().join(","))]
     Columns {
-        /// How many there are.
+        /// The kind of row.
+        kind: Kind,
+        /// How many columns there are.
         found: usize,
-        /// How many there should be: as in the first line.
-        expected: &'static str,
+        /// How many the first row has.
+        first: Option<usize>,
     },
     /// A column is not such a number as it should be.
     #[error("column {column}: found {found}, expected {expected} in {precision} precision")]
@@ -169,9 +162,11 @@ pub enum RayFault {
         /// What is read: `single` or `double`.
         precision: &'static str,
     },
-    /// It is not such an object as it should be.
-    #[error("{found}, expected a {}", Format::JsonLines.row())]
+    /// The line is not such an object as it should be.
+    #[error("{found}, expected a {}", .kind.row(Format::JsonLines))]
     Object {
+        /// The kind of row.
+        kind: Kind,
         /// What is wrong with it.
         found: String,
     },
@@ -186,90 +181,103 @@ pub enum RayFault {
     Ray(#[from] RayError),
 }
 
-/// The rays of a file.
+/// The rays or points of a file.
 #[derive(Clone, Debug)]
-pub struct LoadedRays<V: Position = Vec3> {
-    /// The rays, at least one.
-    pub rays: Vec<Ray<V>>,
+pub struct LoadedRows<R> {
+    /// The rows, at least one.
+    pub rows: Vec<R>,
     /// How many numbers were rounded, and by how much.
     pub rounding: Rounding,
 }
 
-impl<V: Position> LoadedRays<V> {
-    /// Returns the note for the user: one line that begins with the file. `None` if all was taken as it is. `size` is the
-    /// [`size`](super::size) of the scene that the rays are for.
+impl<R: Row> LoadedRows<R> {
+    /// Returns the note for the user: one line that begins with the file. `None` if nothing was rounded. `size` is the
+    /// [`size`](super::size) of the scene that the rows are for.
     pub fn note(&self, file: &Path, size: f64) -> Option<String> {
-        let rounded = self.rounding.note::<V::Real>(size)?;
+        let rounded = self.rounding.note::<R::Real>(size)?;
         Some(format!("{}: {rounded}", one_line(file)))
     }
 }
 
-/// Reads rays from a file.
+/// Reads rays or points from a file: `R` is [`Ray`](stackless_bvh::geom::Ray) or [`Point`].
 ///
-/// Of comma-separated values each line is `ox,oy,oz,dx,dy,dz,tmin,tmax`, in all lines without the last two if so in the
-/// first: then an interval is from 0 to infinity. These names may stand above the rays. Blank lines and lines that begin
-/// with `#` are skipped. A line ends with a line feed, a carriage return, or both, and is at most 4 KiB long; a byte order
-/// mark does not count.
+/// In comma-separated values each line of rays is `ox,oy,oz,dx,dy,dz,tmin,tmax`. Without the last two columns in the first
+/// line, all lines lack them, and intervals are from 0 to infinity. Each line of points is `x,y,z`. These names may stand
+/// above the rows. Blank lines and lines that begin with `#` are skipped. A line ends with a line feed, a carriage return,
+/// or both, and is at most 4 KiB long; a byte order mark does not count.
 ///
-/// Of JSON lines each is an object with `origin` and `direction`, and perhaps `tmin` and `tmax`, where null is infinity. A
-/// `NumPy` array has rows of 6 or 8 numbers (`<f4` or `<f8`). Numbers are rounded to what is read; only `tmax` may be
-/// infinite.
+/// In JSON lines a ray has `origin` and `direction`, and perhaps `tmin` and `tmax`, where null is infinity; a point is
+/// `{"point":[x,y,z]}`. A `NumPy` array has rows of 6 or 8 numbers for rays and of 3 for points (`<f4` or `<f8`). Numbers
+/// are rounded to the precision of `R`; only `tmax` may be infinite.
+///
+/// ```
+/// use glam::Vec3;
+/// use stackless_scene::{Format, Point, read_rows_from};
+///
+/// let points = read_rows_from::<Point<Vec3>>(&b"x,y,z\n1,2,3\n"[..], "points.csv", Format::Csv)?;
+/// assert_eq!(points.rows, [Point(Vec3::new(1.0, 2.0, 3.0))]);
+/// # Ok::<(), stackless_scene::RowFileError>(())
+/// ```
 ///
 /// # Errors
-/// [`RayFileError`]; for a bad line it names line and column.
-pub fn read_rays<V: Position>(path: &Path, format: Format) -> Result<LoadedRays<V>, RayFileError> {
-    let file = File::open(path).map_err(|error| RayFileError::Io { file: path.into(), error })?;
-    read_rays_from(BufReader::new(file), path, format)
+/// [`RowFileError`]; for a bad line it names line and column.
+pub fn read_rows<R: Row>(path: &Path, format: Format) -> Result<LoadedRows<R>, RowFileError> {
+    let file = File::open(path).map_err(|error| RowFileError::Io { file: path.into(), error })?;
+    read_rows_from(BufReader::new(file), path, format)
 }
 
-/// As [`read_rays`], from any reader; `name` stands for the file in errors.
+/// Reads as [`read_rows`] from any reader; `name` stands for the file in errors.
 ///
 /// # Errors
-/// As [`read_rays`].
-pub fn read_rays_from<V: Position>(
+/// As [`read_rows`].
+pub fn read_rows_from<R: Row>(
     mut reader: impl BufRead,
     name: impl AsRef<Path>,
     format: Format,
-) -> Result<LoadedRays<V>, RayFileError> {
+) -> Result<LoadedRows<R>, RowFileError> {
     let file = name.as_ref();
     let loaded = match format {
-        Format::Csv => lines(&mut reader, file, format, csv::Reader::default())?,
-        Format::JsonLines => lines(&mut reader, file, format, json_lines::Reader)?,
+        Format::Csv => {
+            let mut first = None;
+            lines(&mut reader, file, format, |line| csv::read::<R>(line, &mut first))?
+        }
+        Format::JsonLines => lines(&mut reader, file, format, json_lines::read::<R>)?,
         Format::Npy => npy::read(&mut reader, file)?,
     };
-    if loaded.rays.is_empty() { Err(RayFileError::Empty { file: file.into(), format }) } else { Ok(loaded) }
+    if loaded.rows.is_empty() {
+        return Err(RowFileError::Empty { file: file.into(), kind: R::KIND, format });
+    }
+    Ok(loaded)
 }
 
-/// Reads a line.
-trait LineReader<V: Position> {
-    /// Adds the ray in it, if it is not there for something else.
-    fn read(&mut self, line: &str, loaded: &mut LoadedRays<V>) -> Result<(), RayFault>;
-}
+/// The numbers of a row: of all columns, or of the first ones.
+type Numbers<R> = Vec<Number<<R as Row>::Real>>;
 
-fn lines<V: Position>(
+/// Reads a file line by line. `read` returns `None` for a line that is no row.
+fn lines<R: Row>(
     reader: &mut impl BufRead,
     file: &Path,
     format: Format,
-    mut each: impl LineReader<V>,
-) -> Result<LoadedRays<V>, RayFileError> {
-    let (mut loaded, mut bytes) = (LoadedRays::new(), Vec::new());
+    mut read: impl FnMut(&str) -> Result<Option<Numbers<R>>, RowFault>,
+) -> Result<LoadedRows<R>, RowFileError> {
+    let (mut loaded, mut bytes) = (LoadedRows::new(), Vec::new());
     for number in 1.. {
-        if !read_line(reader, &mut bytes).map_err(|error| RayFileError::Io { file: file.into(), error })? {
+        if !read_line(reader, &mut bytes).map_err(|error| RowFileError::Io { file: file.into(), error })? {
             break;
         }
-        let at = |fault| RayFileError::Line { file: file.into(), format, number, fault };
+        let at = |fault| RowFileError::Line { file: file.into(), format, number, fault };
         if bytes.len() > LONGEST {
-            return Err(at(RayFault::Length(format)));
+            return Err(at(RowFault::Length(R::KIND, format)));
         }
         if number == 1 && [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| bytes.starts_with(mark)) {
             let (found, expected) = ("a text in UTF-16".into(), "one in UTF-8");
-            return Err(RayFileError::Array { file: file.into(), found, expected });
+            return Err(RowFileError::Array { file: file.into(), found, expected });
         }
         let content = if number == 1 { super::text::without_mark(&bytes) } else { &bytes };
         let text = String::from_utf8_lossy(content);
         let text = text.trim();
         if !text.is_empty() && !text.starts_with('#') {
-            each.read(text, &mut loaded).map_err(at)?;
+            read(text).and_then(|numbers| numbers.map_or(Ok(()), |numbers| loaded.push(&numbers))).map_err(at)?;
         }
     }
     Ok(loaded)
@@ -302,61 +310,33 @@ fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> 
     Ok(true)
 }
 
-impl<V: Position> LoadedRays<V> {
+impl<R: Row> LoadedRows<R> {
     fn new() -> Self {
-        Self { rays: Vec::new(), rounding: Rounding::default() }
+        Self { rows: Vec::new(), rounding: Rounding::default() }
     }
 
-    /// Adds the ray of these numbers: of all columns, or of those without the interval.
-    fn push(&mut self, numbers: &[Number<V::Real>]) -> Result<(), RayFault> {
-        for (number, column) in numbers.iter().zip(COLUMNS) {
+    /// Adds the row of these numbers.
+    fn push(&mut self, numbers: &[Number<R::Real>]) -> Result<(), RowFault> {
+        for (number, column) in numbers.iter().zip(R::KIND.columns()) {
             check(*number, column, || match number.error {
                 f64::INFINITY => "a number out of range".into(),
                 _ => number.value.into().to_string(),
             })?;
         }
-        let point = |first: usize| V::from_components([0, 1, 2].map(|axis| numbers[first + axis].value));
-        let interval = numbers.get(6..8).map(|ends| (ends[0].value, ends[1].value));
-        let (tmin, tmax) = interval.unwrap_or((V::Real::default(), V::Real::INFINITY));
-        let ray = Ray::within(point(0), point(3), tmin, tmax)?;
-        self.rounding.ray(numbers, &ray);
-        self.rays.push(ray);
+        self.rows.push(R::new(numbers, &mut self.rounding)?);
         Ok(())
     }
 }
 
 /// Refuses what no column, or not this one, may be.
-fn check<F: Float>(number: Number<F>, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RayFault> {
+fn check<F: Float>(number: Number<F>, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RowFault> {
     let may_be_infinite = column == "tmax";
     if is_finite(number.value) || may_be_infinite && number == Number::exact(F::INFINITY) {
         return Ok(());
     }
     let (found, precision) = (found(), F::PRECISION);
     let expected = if may_be_infinite { "a number or inf" } else { "a finite number" };
-    Err(RayFault::Number { column, found, expected, precision })
-}
-
-/// What a ray hits: the triangle's index in the mesh, distance, and weights of its second and third corner.
-pub type HitRow<F = f32> = Option<(u32, F, F, F)>;
-
-/// Writes what each ray hits, in order.
-///
-/// `prim` is the triangle's index in the mesh, or -1 for a miss; then the other columns are empty, null, or as in
-/// `stackless_bvh` for Python infinite and not a number. A number reads back as the very same float: as text it has as
-/// few digits as that takes.
-///
-/// # Errors
-/// Those of the writer.
-pub fn write_hits<F: Float>(
-    writer: impl Write,
-    hits: impl ExactSizeIterator<Item = HitRow<F>>,
-    format: Format,
-) -> io::Result<()> {
-    match format {
-        Format::Csv => csv::write(writer, hits),
-        Format::JsonLines => json_lines::write(writer, hits),
-        Format::Npy => npy::write(writer, hits),
-    }
+    Err(RowFault::Number { column, found, expected, precision })
 }
 
 #[cfg(test)]

@@ -1,9 +1,25 @@
 use super::*;
 use crate::tests::{Folder, Random};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use stackless_bvh::geom::Ray;
 
-fn read(text: &str) -> Result<Vec<Ray>, RayFileError> {
-    read_rays_from::<Vec3>(text.as_bytes(), "rays.csv", Format::Csv).map(|loaded| loaded.rays)
+/// The hit of a ray, as `trace` writes it.
+fn write_hits<F: Float>(
+    writer: impl io::Write,
+    hits: impl ExactSizeIterator<Item = Option<(u32, F, F, F)>>,
+    format: Format,
+) -> io::Result<()> {
+    let number = |name| Column::Number(name, f64::NAN);
+    let columns = [Column::Integer("prim"), Column::Number("t", f64::INFINITY), number("u"), number("v")];
+    let row = |hit: Option<(u32, F, F, F)>| match hit {
+        Some((prim, t, u, v)) => [Cell::Integer(prim.into()), Cell::Number(t), Cell::Number(u), Cell::Number(v)],
+        None => [Cell::Integer(-1), Cell::Missing, Cell::Missing, Cell::Missing],
+    };
+    write_table(writer, columns, hits.map(row), format)
+}
+
+fn read(text: &str) -> Result<Vec<Ray>, RowFileError> {
+    read_rows_from::<Ray>(text.as_bytes(), "rays.csv", Format::Csv).map(|loaded| loaded.rows)
 }
 
 fn refusal(text: &str) -> String {
@@ -30,7 +46,7 @@ fn names_blank_lines_and_comments_are_skipped() {
             let text = format!("{mark}{}", plain.replace('\n', end));
             for capacity in [1, 2, 7, 4096] {
                 let reader = BufReader::with_capacity(capacity, text.as_bytes());
-                assert_eq!(read_rays_from::<Vec3>(reader, "rays.csv", Format::Csv).unwrap().rays, rays, "{text:?}");
+                assert_eq!(read_rows_from::<Ray>(reader, "rays.csv", Format::Csv).unwrap().rows, rays, "{text:?}");
             }
         }
     }
@@ -40,11 +56,11 @@ fn names_blank_lines_and_comments_are_skipped() {
 #[test]
 fn a_line_without_end_is_refused_before_memory_is_gone() {
     let endless = BufReader::new(io::repeat(b'0'));
-    let message = read_rays_from::<Vec3>(endless, "rays.csv", Format::Csv).unwrap_err().to_string();
+    let message = read_rows_from::<Ray>(endless, "rays.csv", Format::Csv).unwrap_err().to_string();
     assert_eq!(message, "rays.csv: line 1: more than 4096 bytes, expected a line of ox,oy,oz,dx,dy,dz,tmin,tmax");
     let long = |length: usize| format!("{}0,0,0,0,0,1,0,1\n", " ".repeat(length - 15));
     assert_eq!(read(&long(4096)).unwrap().len(), 1);
-    assert!(matches!(read(&long(4097)), Err(RayFileError::Line { number: 1, fault: RayFault::Length(_), .. })));
+    assert!(matches!(read(&long(4097)), Err(RowFileError::Line { number: 1, fault: RowFault::Length(..), .. })));
 }
 
 #[test]
@@ -99,17 +115,17 @@ fn each_error_names_line_and_column() {
         refusal(&twice),
         "rays.csv: line 2: column ox: found \"ox\", expected a finite number in single precision"
     );
-    assert!(read_rays_from::<Vec3>(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv", Format::Csv).is_err());
+    assert!(read_rows_from::<Ray>(&b"0,0,0,0,0,1,0,\xFF\n"[..], "rays.csv", Format::Csv).is_err());
 }
 
 #[test]
 fn a_missing_file_is_named() {
     let folder = Folder::new("rays");
     let path = folder.file("missing.csv");
-    let message = read_rays::<Vec3>(&path, Format::Csv).unwrap_err().to_string();
+    let message = read_rows::<Ray>(&path, Format::Csv).unwrap_err().to_string();
     assert!(message.starts_with(&format!("{}: cannot be read: ", path.display())), "{message}");
     std::fs::write(&path, "0,0,0,0,0,1,0,1\n").unwrap();
-    assert_eq!(read_rays::<Vec3>(&path, Format::Csv).unwrap().rays.len(), 1);
+    assert_eq!(read_rows::<Ray>(&path, Format::Csv).unwrap().rows.len(), 1);
 }
 
 #[test]
@@ -165,7 +181,7 @@ fn hits_read_back_bit_for_bit() {
 fn a_failing_writer_is_reported() {
     for format in Format::ALL {
         let mut full = [0; 20];
-        assert!(write_hits(&mut full[..], std::iter::repeat_n(HitRow::<f32>::None, 10), format).is_err());
+        assert!(write_hits(&mut full[..], std::iter::repeat_n(None::<(u32, f32, f32, f32)>, 10), format).is_err());
     }
 }
 
@@ -199,8 +215,8 @@ fn array(descr: &str, columns: usize, bytes: Vec<u8>) -> Vec<u8> {
 fn all_formats_hold_the_same_ray() {
     let ray = Ray::new(Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 0.0, -1.0)).unwrap();
     for (format, bytes) in in_all_formats() {
-        let read = read_rays_from::<Vec3>(&bytes[..], "rays", format).unwrap();
-        assert_eq!((&read.rays[..], read.note("rays".as_ref(), 1.0)), (&[ray][..], None), "{}", bytes.escape_ascii());
+        let read = read_rows_from::<Ray>(&bytes[..], "rays", format).unwrap();
+        assert_eq!((&read.rows[..], read.note("rays".as_ref(), 1.0)), (&[ray][..], None), "{}", bytes.escape_ascii());
     }
 }
 
@@ -223,8 +239,8 @@ fn doubles_are_read_as_they_are_and_written_so() {
         (Format::Npy, array("<f8", 8, bytes), 0),
     ];
     for (format, bytes, rounded) in files {
-        let read = read_rays_from::<DVec3>(&bytes[..], "rays", format).unwrap();
-        assert_eq!((read.rays[0], read.rounding.numbers, read.rounding.rounded), (ray, 8, rounded), "{format}");
+        let read = read_rows_from::<Ray<DVec3>>(&bytes[..], "rays", format).unwrap();
+        assert_eq!((read.rows[0], read.rounding.numbers, read.rounding.rounded), (ray, 8, rounded), "{format}");
     }
     let hits = [Some((7, 0.1, 1.0 / 3.0, 1e-300)), None];
     let written = |format| {
@@ -247,8 +263,8 @@ fn text_is_rounded_once() {
         (Format::JsonLines, format!("{{\"origin\":[{number},0,0],\"direction\":[1,0,0]}}")),
     ];
     for (format, line) in lines {
-        let read = read_rays_from::<Vec3>(line.as_bytes(), "rays", format).unwrap();
-        assert_eq!(read.rays[0].origin().x, 1.0_f32.next_up(), "{format}");
+        let read = read_rows_from::<Ray>(line.as_bytes(), "rays", format).unwrap();
+        assert_eq!(read.rows[0].origin().x, 1.0_f32.next_up(), "{format}");
     }
 }
 
@@ -256,7 +272,7 @@ fn text_is_rounded_once() {
 fn doubles_that_are_rounded_are_counted() {
     let numbers: Vec<u8> =
         [0.1, 0.0, -3.0, 1.0, f64::from(0.1_f32), 1.0 / 3.0].iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
-    let read = read_rays_from::<Vec3>(&array("<f8", 6, numbers)[..], "rays", Format::Npy).unwrap();
+    let read = read_rows_from::<Ray>(&array("<f8", 6, numbers)[..], "rays", Format::Npy).unwrap();
     let note = "r.npy: 2 of 6 numbers were rounded to single precision, by at most 9.4e-9 of the scene's size";
     assert_eq!(read.note("r.npy".as_ref(), 1.0).unwrap(), note);
 }
@@ -266,7 +282,7 @@ fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
     for (format, bytes) in in_all_formats() {
         for end in 0..bytes.len() {
             // A text may lose its last line feed, or the end of its last number.
-            let read = read_rays_from::<Vec3>(&bytes[..end], "rays", format);
+            let read = read_rows_from::<Ray>(&bytes[..end], "rays", format);
             assert!(format != Format::Npy || read.is_err(), "{end}");
             let message = read.map_or_else(|error| error.to_string(), |_| String::new());
             assert!(!message.contains('\n') && message.len() < 400, "{message}");
@@ -275,8 +291,8 @@ fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
             for changed in [0, 0x20, 0x7f, 0xff] {
                 let mut bytes = bytes.clone();
                 bytes[at] = changed;
-                let message = read_rays_from::<Vec3>(&bytes[..], "rays", format)
-                    .map_or_else(|e| e.to_string(), |_| String::new());
+                let message =
+                    read_rows_from::<Ray>(&bytes[..], "rays", format).map_or_else(|e| e.to_string(), |_| String::new());
                 assert!(!message.contains('\n') && message.len() < 400, "{message}");
             }
         }
@@ -285,7 +301,7 @@ fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
 
 #[test]
 fn errors_of_arrays_and_objects_say_what_was_expected() {
-    let refusal = |format, bytes: &[u8]| read_rays_from::<Vec3>(bytes, "rays", format).unwrap_err().to_string();
+    let refusal = |format, bytes: &[u8]| read_rows_from::<Ray>(bytes, "rays", format).unwrap_err().to_string();
     let (_, good) = in_all_formats().swap_remove(5);
     let changed = |from: &str, to: &str| {
         let text = String::from_utf8(good.iter().map(|&byte| byte & 0x7f).collect()).unwrap();
@@ -335,15 +351,15 @@ fn an_interval_that_is_finite_and_beyond_the_precision_is_refused() {
     for (format, bytes) in
         [(Format::Csv, &b"0,0,0,0,0,1,0,1e39"[..]), (Format::JsonLines, object.as_bytes()), (Format::Npy, &array)]
     {
-        let error = read_rays_from::<Vec3>(bytes, "rays", format).unwrap_err().to_string();
+        let error = read_rows_from::<Ray>(bytes, "rays", format).unwrap_err().to_string();
         assert!(
             error.contains("column tmax: found ") && error.ends_with("a number or inf in single precision"),
             "{error}"
         );
-        let rays = read_rays_from::<DVec3>(bytes, "rays", format).unwrap().rays;
+        let rays = read_rows_from::<Ray<DVec3>>(bytes, "rays", format).unwrap().rows;
         assert_eq!(rays[0].tmax(), 1e39);
     }
-    let far = read_rays_from::<DVec3>(&b"0,0,0,0,0,1,0,1e999"[..], "rays", Format::Csv).unwrap_err().to_string();
+    let far = read_rows_from::<Ray<DVec3>>(&b"0,0,0,0,0,1,0,1e999"[..], "rays", Format::Csv).unwrap_err().to_string();
     assert!(far.ends_with("column tmax: found \"1e999\", expected a number or inf in double precision"), "{far}");
 }
 
@@ -378,4 +394,63 @@ fn the_extension_says_the_format() {
     assert_eq!(Format::of(Path::new("-")), Ok(None));
     let refused = Format::of(Path::new("a.parquet")).unwrap_err().to_string();
     assert_eq!(refused, "a.parquet: extension \"parquet\", expected csv, jsonl or npy");
+}
+
+#[test]
+fn points_are_read_from_all_formats() {
+    let point = Point(Vec3::new(1.0, -0.5, 1e-40));
+    let bytes = [1.0, -0.5, 1e-40_f32].map(f32::to_le_bytes).concat();
+    let files = [
+        (Format::Csv, b"# one\nx,y,z\n1,-.5,1e-40\n".to_vec()),
+        (Format::JsonLines, b"{\"point\":[1,-0.5,1e-40]}".to_vec()),
+        (Format::Npy, array("<f4", 3, bytes)),
+    ];
+    for (format, bytes) in &files {
+        assert_eq!(read_rows_from::<Point<Vec3>>(&bytes[..], "points", *format).unwrap().rows, [point], "{format}");
+    }
+    let refusal = |format, bytes: &[u8]| {
+        let read = read_rows_from::<Point<DVec3>>(bytes, "points", format);
+        read.map_or_else(|error| error.to_string(), |loaded| loaded.note("points".as_ref(), 1.0).unwrap())
+    };
+    let cases = [
+        (Format::Csv, "x,y,z\n", "no points, expected at least one line of x,y,z"),
+        (Format::Csv, "1,2\n", "line 1: 2 columns, expected 3: x,y,z"),
+        (Format::Csv, "1,2,3\n1,2,3,4\n", "line 2: 4 columns, expected 3: x,y,z"),
+        (Format::Csv, "1,2,inf\n", "line 1: column z: found \"inf\", expected a finite number in double precision"),
+        (Format::JsonLines, "", "no points, expected at least one line like {\"point\":[0,0,0]}"),
+        (
+            Format::Csv,
+            "0.1,0,0\n",
+            "1 of 3 numbers was rounded to double precision, by at most 7.0e-18 of the scene's size",
+        ),
+    ];
+    for (format, text, message) in cases {
+        assert_eq!(refusal(format, text.as_bytes()), format!("points: {message}"));
+    }
+    assert!(refusal(Format::JsonLines, b"{\"origin\":[1,2,3]}").contains("unknown field `origin`"));
+    let (_, rays) = in_all_formats().swap_remove(5);
+    assert!(refusal(Format::Npy, &rays).ends_with("an array of shape (n, 3), dtype <f4 or <f8, in C order"));
+}
+
+#[test]
+fn words_and_missing_values_are_written_in_all_formats() {
+    let columns = [Column::Word("place", 4), Column::Integer("count"), Column::Number("d", f64::INFINITY)];
+    let rows = [
+        [Cell::Word("edge"), Cell::Integer(-7), Cell::Number(0.5_f64)],
+        [Cell::Word("in"), Cell::Missing, Cell::Missing],
+    ];
+    let write = |format| {
+        let mut bytes = Vec::new();
+        write_table(&mut bytes, columns, rows.into_iter(), format).unwrap();
+        bytes
+    };
+    assert_eq!(write(Format::Csv), b"place,count,d\nedge,-7,0.5\nin,,\n");
+    let lines = "{\"place\":\"edge\",\"count\":-7,\"d\":0.5}\n{\"place\":\"in\",\"count\":null,\"d\":null}\n";
+    assert_eq!(String::from_utf8(write(Format::JsonLines)).unwrap(), lines);
+    let array = write(Format::Npy);
+    let word = |word: &str| word.chars().flat_map(|letter| u32::from(letter).to_le_bytes()).collect::<Vec<_>>();
+    let first = [&word("edge")[..], &(-7_i64).to_le_bytes(), &0.5_f64.to_le_bytes()].concat();
+    let second = [&word("in\0\0")[..], &(-1_i64).to_le_bytes(), &f64::INFINITY.to_le_bytes()].concat();
+    assert!(array.ends_with(&[first, second].concat()));
+    assert!(array.windows(28).any(|it| it == b"[('place', '<U4'), ('count',"));
 }

@@ -1,6 +1,6 @@
 //! `NumPy` arrays (NEP 1: A simple file format for `NumPy` arrays).
 //!
-//! By hand: of the format, rays and hits take a line of header and plain numbers. `npyz` 0.9 brings 16 crates for it, a
+//! By hand: of the format, rows and tables take a line of header and plain numbers. `npyz` 0.9 brings 16 crates for it, a
 //! generator of parsers among them.
 
 use std::io::{self, BufRead, Read as _, Write};
@@ -8,17 +8,14 @@ use std::path::Path;
 
 use serde::Deserialize;
 
-use super::{COLUMNS, HitRow, LoadedRays, RayFault, RayFileError, UNBOUNDED};
-use crate::float::{Float, Position, nan};
-use crate::number::Number;
+use super::{Cell, Column, LoadedRows, Number, Row, RowFault, RowFileError};
+use crate::float::Float;
 use crate::text::quote;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 
 /// Longest header, in bytes: those of arrays of numbers take about a hundred.
 const LONGEST: u64 = 1 << 16;
-
-const WANTED: &str = "an array of shape (n, 6) or (n, 8), dtype <f4 or <f8, in C order";
 
 #[derive(Deserialize)]
 struct Header {
@@ -27,9 +24,10 @@ struct Header {
     shape: Vec<u64>,
 }
 
-pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Result<LoadedRays<V>, RayFileError> {
-    let failed = |error| RayFileError::Io { file: file.into(), error };
-    let refused = |found: String, expected| RayFileError::Array { file: file.into(), found, expected };
+pub(super) fn read<R: Row>(reader: &mut impl BufRead, file: &Path) -> Result<LoadedRows<R>, RowFileError> {
+    let wanted = R::KIND.array();
+    let failed = |error| RowFileError::Io { file: file.into(), error };
+    let refused = |found: String, expected| RowFileError::Array { file: file.into(), found, expected };
     let mut start = Vec::new();
     reader.take(8).read_to_end(&mut start).map_err(failed)?;
     let Some([major, minor]) = start.strip_prefix(MAGIC).and_then(<[u8]>::first_chunk) else {
@@ -44,26 +42,25 @@ pub(super) fn read<V: Position>(reader: &mut impl BufRead, file: &Path) -> Resul
     reader.read_exact(&mut length[..length_bytes]).map_err(failed)?;
     let length = u64::from(u32::from_le_bytes(length));
     if length > LONGEST {
-        return Err(refused(format!("a header of {length} bytes"), WANTED));
+        return Err(refused(format!("a header of {length} bytes"), wanted));
     }
     let mut text = Vec::new();
     reader.take(length).read_to_end(&mut text).map_err(failed)?;
     let text = String::from_utf8_lossy(&text);
-    let header = parse(&text).ok_or_else(|| refused(quote(text.trim()), WANTED))?;
+    let header = parse(&text).ok_or_else(|| refused(quote(text.trim()), wanted))?;
     let (bytes, rows, columns) = match (header.descr.as_str(), &header.shape[..], header.fortran_order) {
-        ("<f4", &[rows, columns @ (6 | 8)], false) => (4, rows, columns as usize),
-        ("<f8", &[rows, columns @ (6 | 8)], false) => (8, rows, columns as usize),
-        _ => return Err(refused(quote(text.trim()), WANTED)),
+        ("<f4", &[rows, columns], false) if R::KIND.allows(columns as usize) => (4, rows, columns as usize),
+        ("<f8", &[rows, columns], false) if R::KIND.allows(columns as usize) => (8, rows, columns as usize),
+        _ => return Err(refused(quote(text.trim()), wanted)),
     };
-    debug_assert!([UNBOUNDED, COLUMNS.len()].contains(&columns));
     // No count is believed before its bytes are there.
-    let mut loaded = LoadedRays::new();
+    let mut loaded = LoadedRows::new();
     let mut row = vec![0; bytes * columns];
     for number in 0..rows {
-        let at = |fault| RayFileError::Line { file: file.into(), format: super::Format::Npy, number, fault };
+        let at = |fault| RowFileError::Line { file: file.into(), format: super::Format::Npy, number, fault };
         match reader.read_exact(&mut row) {
             Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
-                return Err(at(RayFault::Ends { expected: rows }));
+                return Err(at(RowFault::Ends { expected: rows }));
             }
             read => read.map_err(failed)?,
         }
@@ -93,16 +90,18 @@ fn parse(text: &str) -> Option<Header> {
     serde_json::from_str(&json).ok()
 }
 
-pub(super) fn write<F: Float>(
+pub(super) fn write<F: Float, const N: usize>(
     mut writer: impl Write,
-    hits: impl ExactSizeIterator<Item = HitRow<F>>,
+    columns: [Column; N],
+    rows: impl ExactSizeIterator<Item = [Cell<F>; N]>,
 ) -> io::Result<()> {
-    let mut header = format!(
-        "{{'descr': [('prim', '<i8'), ('t', '{0}'), ('u', '{0}'), ('v', '{0}')], \
-         'fortran_order': False, 'shape': ({1},), }}",
-        F::DTYPE,
-        hits.len()
-    );
+    let fields = columns.map(|column| match column {
+        Column::Integer(name) => format!("('{name}', '<i8')"),
+        Column::Number(name, _) => format!("('{name}', '{}')", F::DTYPE),
+        Column::Word(name, letters) => format!("('{name}', '<U{letters}')"),
+    });
+    let (fields, count) = (fields.join(", "), rows.len());
+    let mut header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({count},), }}");
     // With magic, version and length it ends where a multiple of 64 bytes does, so that arrays can be mapped.
     let length = (10 + header.len() + 1).next_multiple_of(64) - 10;
     header.push_str(&" ".repeat(length - header.len() - 1));
@@ -110,11 +109,25 @@ pub(super) fn write<F: Float>(
     writer.write_all(&[1, 0])?;
     writer.write_all(&(length as u16).to_le_bytes())?;
     writeln!(writer, "{header}")?;
-    for hit in hits {
-        let (prim, t, u, v) = hit.map_or((-1, F::INFINITY, nan(), nan()), |(prim, t, u, v)| (i64::from(prim), t, u, v));
-        writer.write_all(&prim.to_le_bytes())?;
-        for number in [t, u, v] {
-            writer.write_all(number.bytes().as_ref())?;
+    for row in rows {
+        for (column, cell) in columns.into_iter().zip(row) {
+            match column {
+                Column::Integer(_) => {
+                    let integer = if let Cell::Integer(integer) = cell { integer } else { -1 };
+                    writer.write_all(&integer.to_le_bytes())?;
+                }
+                Column::Number(_, missing) => {
+                    let number = if let Cell::Number(number) = cell { number } else { F::rounded(missing) };
+                    writer.write_all(number.bytes().as_ref())?;
+                }
+                Column::Word(_, letters) => {
+                    // In UTF-32, filled up with zeros.
+                    let word = if let Cell::Word(word) = cell { word } else { "" };
+                    for letter in word.chars().map(u32::from).chain(std::iter::repeat(0)).take(letters) {
+                        writer.write_all(&letter.to_le_bytes())?;
+                    }
+                }
+            }
         }
     }
     Ok(())

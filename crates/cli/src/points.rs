@@ -1,0 +1,242 @@
+//! `stackless contains` and `stackless nearest`: the user's points and a mesh.
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValue, TypedValueParser};
+use glam::{DVec3, Vec3};
+use stackless_bvh::bvh::{Builder, WideBvh};
+use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::truth::Place;
+use stackless_bvh::geom::{Ball, Foot, Real as _, Triangle, Vector};
+use stackless_bvh::trace::{Boundary, Location, MeshQueries as _, Near, Rule, Solid, Tracer};
+use stackless_scene::{Cell, Column, Float, Format, Point, Position, write_table};
+
+use crate::Outcome;
+use crate::build;
+use crate::input::{self, Scene};
+use crate::output::{self, count, say, write_file};
+use crate::places::{self, Output};
+use crate::trace::in_chunks;
+
+/// Say which points are inside of a closed mesh.
+///
+/// A point is a line of x,y,z; the answer is a line with its place: inside, surface or outside. Both are exact. JSON lines
+/// (.jsonl) hold the same: `{"point":[0,0,0]}` and `{"place":"inside"}`. `NumPy` arrays (.npy) hold rows of 3 floats, and
+/// records of place.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  stackless contains examples/data/torus.ply --points examples/data/points.csv -o places.csv\n  \
+    echo 1,0,0 | stackless contains examples/data/torus.ply --points - -o -"
+)]
+pub(crate) struct Contains {
+    #[command(flatten)]
+    input: Input,
+    /// How crossings tell inside from outside.
+    #[arg(long, default_value = "parity", value_parser = rule())]
+    rule: Rule,
+}
+
+/// Find the nearest point of a mesh, and how far it is.
+///
+/// A point is a line of x,y,z; the answer is a line of prim,distance,x,y,z,u,v,place: the index of the triangle in the
+/// file's order, the exact distance, rounded once, the nearest point, the weights of the triangle's second and third
+/// corner there, and whether that is in its interior, on an edge or at a vertex. Without a triangle within --radius, prim
+/// is -1 and the other columns are empty. Files are as those of `contains`.
+#[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  stackless nearest examples/data/torus.ply --points examples/data/points.csv -o nearest.csv\n  \
+    echo 1,0,0 | stackless nearest examples/data/torus.ply --points - -o - --signed parity"
+)]
+pub(crate) struct Nearest {
+    #[command(flatten)]
+    input: Input,
+    /// Give distances inside of the mesh a minus sign, by a rule. [default: no signs]
+    #[arg(long, value_parser = rule())]
+    signed: Option<Rule>,
+    /// Search no farther than this. [default: no limit]
+    #[arg(long, value_name = "DISTANCE", value_parser = radius)]
+    radius: Option<f64>,
+    /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
+    #[arg(long)]
+    faces: bool,
+}
+
+/// What both commands read, and where they write.
+#[derive(clap::Args)]
+struct Input {
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    scene: PathBuf,
+    /// File of the points (.csv, .jsonl, .npy), x,y,z each; `-` is the standard input.
+    #[arg(long, value_name = "FILE")]
+    points: PathBuf,
+    /// File for the answers (.csv, .jsonl, .npy); written whole or not at all. `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", value_parser = places::file())]
+    output: Output,
+    /// The format of files without such an extension.
+    #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
+    format: Format,
+    /// How the hierarchy is built.
+    #[arg(long, default_value_t, value_parser = build::builder())]
+    build: Builder,
+    /// Round mesh and points to single precision. A note says how many numbers are rounded and by how much. [default:
+    /// double precision]
+    #[arg(long)]
+    single: bool,
+}
+
+impl Contains {
+    pub(crate) fn run(&self) -> Outcome {
+        if self.input.single { self.answer::<Vec3>() } else { self.answer::<DVec3>() }
+    }
+
+    fn answer<V: Precision + Position>(&self) -> Outcome {
+        let asked = self.input.read::<V>()?;
+        let (tracer, boundary) = asked.prepare();
+        let solid = asked.solid(&tracer, &boundary, self.rule)?;
+        let places =
+            in_chunks(&asked.points, |points| points.iter().map(|&Point(point)| solid.locate(point)).collect());
+        let places: Vec<_> = places.into_iter().collect::<Result<_, _>>()?;
+        let word = |&place: &Location| match place {
+            Location::Inside => "inside",
+            Location::Surface => "surface",
+            Location::Outside => "outside",
+        };
+        let rows = || places.iter().map(|place| [Cell::<V::Real>::Word(word(place))]);
+        self.input.write([Column::Word("place", "outside".len())], rows)?;
+        let number = |place| places.iter().filter(|&&other| other == place).count();
+        let [inside, surface] =
+            [Location::Inside, Location::Surface].map(|place| output::grouped(number(place) as u64));
+        asked.say(&format!("{inside} inside, {surface} on the surface, by {}", self.rule.name()));
+        Ok(true)
+    }
+}
+
+impl Nearest {
+    pub(crate) fn run(&self) -> Outcome {
+        if self.input.single { self.answer::<Vec3>() } else { self.answer::<DVec3>() }
+    }
+
+    fn answer<V: Precision + Position>(&self) -> Outcome {
+        let asked = self.input.read::<V>()?;
+        let (tracer, boundary) = asked.prepare();
+        let solid = self.signed.map(|rule| asked.solid(&tracer, &boundary, rule)).transpose()?;
+        let radius = self.radius.map_or(V::Real::INFINITY, V::Real::rounded);
+        let nearest = |&Point(point): &Point<V>| -> Result<Option<Found<V>>, String> {
+            let ball = Ball::new(point, radius).map_err(|error| error.to_string())?;
+            let Some(mut near) = tracer.nearest(&ball) else { return Ok(None) };
+            let triangle = Triangle(asked.scene.mesh.triangle(near.prim as usize));
+            let Some(foot) = Foot::of(&triangle, point) else { return Ok(None) };
+            if let Some(solid) = &solid
+                && near.distance > V::Real::ZERO
+                && solid.locate(point).map_err(|error| error.to_string())? == Location::Inside
+            {
+                near.distance = V::Real::rounded(-near.distance.into());
+            }
+            Ok(Some((near, foot)))
+        };
+        let found = in_chunks(&asked.points, |points| points.iter().map(nearest).collect());
+        let found: Vec<_> = found.into_iter().collect::<Result<_, _>>()?;
+        let faces: &[u32] = if self.faces { &asked.scene.faces } else { &[] };
+        let row = |found: &Option<Found<V>>| {
+            let Some((near, foot)) = found else {
+                let mut miss = [Cell::Missing; 8];
+                miss[0] = Cell::Integer(-1);
+                return miss;
+            };
+            let prim = faces.get(near.prim as usize).copied().unwrap_or(near.prim);
+            let ([x, y, z], [u, v]) = (near.point.components(), foot.weights);
+            let [distance, x, y, z, u, v] = [near.distance, x, y, z, u, v].map(Cell::Number);
+            [Cell::Integer(prim.into()), distance, x, y, z, u, v, Cell::Word(word(foot.place))]
+        };
+        let number = |name| Column::Number(name, f64::NAN);
+        let [x, y, z, u, v] = ["x", "y", "z", "u", "v"].map(number);
+        let distance = Column::Number("distance", f64::INFINITY);
+        let columns = [Column::Integer("prim"), distance, x, y, z, u, v, Column::Word("place", "interior".len())];
+        self.input.write(columns, || found.iter().map(row))?;
+        asked.say(&format!("{} found", output::grouped(found.iter().flatten().count() as u64)));
+        Ok(true)
+    }
+}
+
+/// The nearest point, and where on its triangle it is.
+type Found<V> = (Near<V>, Foot<<V as Vector>::Real>);
+
+const fn word(place: Place) -> &'static str {
+    match place {
+        Place::Interior => "interior",
+        Place::Edge => "edge",
+        Place::Vertex => "vertex",
+    }
+}
+
+/// The scene, its hierarchy, and the points.
+struct Asked<V: Precision + Position> {
+    scene: Scene<V>,
+    bvh: WideBvh<8, V>,
+    points: Vec<Point<V>>,
+}
+
+impl Input {
+    fn read<V: Precision + Position>(&self) -> Result<Asked<V>, Box<dyn Error>> {
+        input::format(&self.output, self.format)?;
+        let (name, points) = input::rows::<Point<V>>(&self.points, input::format(&self.points, self.format)?)?;
+        let scene = Scene::load(&self.scene)?;
+        if let Some(note) = points.note(name, stackless_scene::size(&scene.mesh)) {
+            output::warn(&note);
+        }
+        let bvh = build::wide_for_points(self.build, &scene)?;
+        Ok(Asked { scene, bvh, points: points.rows })
+    }
+
+    fn write<F: Float, const N: usize, I: ExactSizeIterator<Item = [Cell<F>; N]>>(
+        &self,
+        columns: [Column; N],
+        rows: impl Fn() -> I,
+    ) -> Result<(), Box<dyn Error>> {
+        let format = input::format(&self.output, self.format)?;
+        Ok(write_file(&self.output, |file| write_table(file, columns, rows(), format))?)
+    }
+}
+
+impl<V: Precision + Position> Asked<V> {
+    fn prepare(&self) -> (Tracer<&WideBvh<8, V>, V>, Boundary) {
+        (Tracer::new(&self.bvh), Boundary::of(&self.scene.mesh))
+    }
+
+    /// The solid by a rule, and a warning about faces that the rule makes of no effect.
+    fn solid<'s>(
+        &'s self,
+        tracer: &'s Tracer<&'s WideBvh<8, V>, V>,
+        boundary: &'s Boundary,
+        rule: Rule,
+    ) -> Result<Solid<'s, Tracer<&'s WideBvh<8, V>, V>, V>, String> {
+        if rule == Rule::Parity && boundary.repeated > 0 {
+            let repeated = count(boundary.repeated as u64, "face");
+            output::warn(&format!(
+                "{}: {repeated} repeated: by parity they cancel out; with rule `nonzero` they do not",
+                self.scene.name
+            ));
+        }
+        Solid::new(tracer, &self.scene.mesh, boundary, rule).map_err(|error| format!("{}: {error}", self.scene.name))
+    }
+
+    fn say(&self, answers: &str) {
+        let precision = <V::Real as Float>::PRECISION;
+        say!("{}: {}, {answers}, in {precision} precision", self.scene.name, count(self.points.len() as u64, "point"));
+    }
+}
+
+fn rule() -> impl TypedValueParser<Value = Rule> {
+    let help = |rule| match rule {
+        Rule::Parity => "odd numbers of crossings are inside: overlapping parts cancel out",
+        Rule::Nonzero => "winding numbers other than 0 are inside: overlapping parts unite",
+        Rule::Winding => "winding numbers above 1/2 are inside: a good guess for open meshes",
+    };
+    input::listed(Rule::ALL.map(|rule| (PossibleValue::new(rule.name()).help(help(rule)), rule)).into())
+}
+
+fn radius(word: &str) -> Result<f64, String> {
+    let radius = word.parse().map_err(|_| "expected a number")?;
+    if radius >= 0.0 { Ok(radius) } else { Err("expected a number that is not negative".to_owned()) }
+}
