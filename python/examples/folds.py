@@ -23,6 +23,14 @@ def folded_sphere(levels=6, depth=0.4, grid=128):
     return np.round(vertices * grid) / grid, sphere.faces.view(np.ndarray)
 
 
+def opened(vertices, faces, holes=((1.0, 0.25), (-0.6, -0.75)), width=0.3):
+    """The faces without those around some directions across z, as where a scanner has not looked."""
+    middles = vertices[faces].mean(axis=1)
+    middles /= np.linalg.norm(middles, axis=1, keepdims=True)
+    aims = np.array([(*hole, 0) / np.linalg.norm(hole) for hole in holes])
+    return faces[(middles @ aims.T < np.cos(width)).all(axis=1)]
+
+
 def labyrinth(sphere, feed=0.037, kill=0.06):
     """What there is of the second substance at each vertex."""
     edges = np.concatenate([sphere.edges_unique, sphere.edges_unique[:, ::-1]])

@@ -7,6 +7,9 @@ SciPy). `depth.png` is grey by distance. `section.png` shows which voxels of a p
 filled: a ray along z from each centre, and whether it crosses the mesh an odd number of times. It has a panel for each
 of trimesh with embreex (`intersects_location`) and Open3D (`count_intersections`) that is installed. Blue is inside,
 white outside, and red wrong. What is right `Scene.contains` tells, and rational arithmetic for a sample.
+
+`inside.png`, of the made mesh only, shows a section after two holes are cut into it. Inside is where the winding number
+is above 1/2. Open3D, trimesh and libigl are shown beside this library. Sums of all solid angles judge a sample.
 """
 
 from __future__ import annotations
@@ -17,13 +20,15 @@ from pathlib import Path
 
 import numpy as np
 import trimesh
-from PIL import Image, ImageDraw
+from PIL import Image, ImageDraw, ImageFont
 
 from stackless_bvh import Scene
 
-sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parents[1]), str(Path(__file__).parents[1] / "tests")]
+PYTHON = Path(__file__).parents[1]
+sys.path[:0] = [str(Path(__file__).parent), *(str(PYTHON / name) for name in (".", "tests", "judge"))]
 import folds  # noqa: E402
 import oracle  # noqa: E402
+from peers import PEERS  # noqa: E402
 
 from bench import ENGINES, near_misses_and_hits  # noqa: E402
 
@@ -46,6 +51,8 @@ def main():
     vertices, faces = loaded(arguments.mesh) if arguments.mesh else folds.folded_sphere()
     scene = Scene(vertices, faces)
     Image.fromarray(depth(scene, vertices, arguments.size)).save(arguments.output / "depth.png", optimize=True)
+    if not arguments.mesh:
+        open_section(vertices, folds.opened(vertices, faces)).save(arguments.output / "inside.png", optimize=True)
     if not scene.is_closed:
         sys.exit("the mesh is not closed: there is no section")
     panels = [panel(scene, vertices, faces, name, make) for name, make in OTHERS.items()]
@@ -101,6 +108,53 @@ def panel(scene, vertices, faces, name, make):
     image = image.resize((2 * image.width, 2 * image.height), Image.Resampling.NEAREST)
     ImageDraw.Draw(image).text((4, 2), f"{name}: {wrong.sum():,} wrong of {is_off.sum():,}", fill=(0, 0, 0))
     return image
+
+
+def open_section(vertices, faces):
+    """Sections of an open mesh: this library's, and what others get wrong of it."""
+    scene, places = Scene(vertices, faces), grid(vertices)
+    points = places.reshape(-1, 3)
+    inside = scene.contains(points, rule="winding")
+    is_off = inside == scene.contains(points, rule="winding", boundary=False)
+    cut = trimesh.intersections.mesh_plane(trimesh.Trimesh(vertices, faces, process=False), [0, 0, 1], places[0, 0])
+    judged = np.random.default_rng(1).permutation(np.flatnonzero(is_off))[:JUDGED]
+    panels = [drawn(places, cut, inside, np.zeros(len(points), bool), "stackless-bvh")]
+    for name, make in PEERS.items():
+        wrong = (make(vertices, faces).inside(points) != inside) & is_off
+        panels.append(drawn(places, cut, inside, wrong, name))
+        judged = np.concatenate([judged, np.flatnonzero(wrong)[:: max(1, wrong.sum() // JUDGED)]])
+    truth = np.array([winding(vertices[faces], point) for point in points[judged]])
+    assert np.array_equal(truth > 0.5, inside[judged]), "an answer of this library is wrong"
+    print(f"open section: {len(judged)} answers of this library were judged")
+    rows = [beside(panels[k : k + 2]) for k in (0, 2)]
+    return Image.fromarray(np.concatenate([np.asarray(row) for row in rows])).quantize(16)
+
+
+def drawn(places, cut, inside, wrong, name, width=600):
+    """A panel, with the cut of the mesh as lines, and a title that is legible when it is small."""
+    colours = np.where(inside[:, None], INSIDE, OUTSIDE)
+    colours[wrong] = WRONG
+    image = Image.fromarray(colours.reshape(places.shape).astype(np.uint8))
+    scale, title = width / image.width, 52
+    image = image.resize((width, int(image.height * scale)), Image.Resampling.NEAREST)
+    panel = Image.new("RGB", (width, image.height + title), OUTSIDE)
+    panel.paste(image, (0, title))
+    draw = ImageDraw.Draw(panel)
+    step = places[0, 1, 0] - places[0, 0, 0]
+    for line in (cut - places[0, 0])[:, :, :2] / step * [1, -1] + 0.5:
+        draw.line([(x * scale, y * scale + title) for x, y in line], fill=(0, 0, 0), width=2)
+    text = f"{name}: {wrong.sum():,} wrong"
+    draw.text((10, 2), text, fill=WRONG if wrong.any() else (0, 0, 0), font=ImageFont.load_default(40))
+    return panel
+
+
+def winding(triangles, point):
+    """The sum of all solid angles (Van Oosterom & Strackee 1983), over 4 pi."""
+    a, b, c = (triangles - point).astype(np.longdouble).transpose(1, 0, 2)
+    la, lb, lc = (np.sqrt((v * v).sum(axis=1)) for v in (a, b, c))
+    y = (a * np.cross(b, c)).sum(axis=1)
+    x = la * lb * lc + (a * b).sum(axis=1) * lc + (b * c).sum(axis=1) * la + (c * a).sum(axis=1) * lb
+    return float(np.arctan2(y, x).sum() / (2 * np.pi))
 
 
 def is_inside(vertices, faces, point):
