@@ -198,6 +198,22 @@ mod tests {
         assert_eq!(folder.names(), ["out.csv"]);
     }
 
+    #[test]
+    fn a_temporary_name_is_used_once() {
+        let folder = Folder::new("once");
+        let mut names = Vec::new();
+        for _ in 0..20 {
+            write_atomically(&folder.file("out.csv"), |_| {
+                names.extend(folder.names().into_iter().filter(|name| name != "out.csv"));
+                Ok(())
+            })
+            .unwrap();
+        }
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), 20, "{names:?}");
+    }
+
     /// No writer touches the temporary file of another one, which may be a thread or a process: this test runs itself.
     #[test]
     fn many_writers_of_one_file_all_succeed() {
@@ -205,7 +221,7 @@ mod tests {
         let folder = Folder::new("many");
         let path = inherited.clone().map_or_else(|| folder.file("out.csv"), PathBuf::from);
         let write = |name: u8| {
-            for _ in 0..300 {
+            for _ in 0..60 {
                 check_writable(&path).unwrap();
                 write_atomically(&path, |w| w.write_all(&[name; 1000])).unwrap();
                 let text = fs::read(&path).unwrap();
