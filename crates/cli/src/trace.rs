@@ -32,6 +32,7 @@ use crate::places::{self, Output};
 /// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) have rows of 6 or 8 floats, and records of prim, t, u, v.
 #[derive(clap::Args)]
 #[command(
+    override_usage = "stackless trace [OPTIONS] --rays <FILE>\n       --output <FILE> <SCENE>",
     after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.csv\n  \
     stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy --single\n  \
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
@@ -104,6 +105,9 @@ impl Args {
         trace: impl FnOnce(&Self, &Scene<V>, &[Ray<V>]) -> Result<Traced<V::Real>, Box<dyn Error>>,
     ) -> Outcome {
         let written_as = self.format_of(&self.output)?;
+        if written_as == Format::Npy {
+            places::refuse_terminal(&self.output, written_as.name())?;
+        }
         let read_as = self.format_of(&self.rays)?;
         let (name, rays) = if self.rays.as_os_str() == "-" {
             let name = Path::new("standard input");
