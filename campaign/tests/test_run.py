@@ -45,6 +45,12 @@ def counts(path: Path) -> dict:
     return record
 
 
+def refused(done: subprocess.CompletedProcess, *what: str) -> None:
+    """It could not run, and says why in a sentence."""
+    assert done.returncode == 2 and done.stderr.startswith(("error: ", "usage: ")), done
+    assert "Traceback" not in done.stderr and all(word in done.stderr for word in what), done
+
+
 def wrapper(folder: Path, lines: str) -> str:
     """A program that runs these lines of shell before `stackless`, with the part in $part."""
     path = folder / "wrapper"
@@ -110,14 +116,12 @@ def test_a_part_that_crashes_is_kept_and_stops_no_other(tmp_path):
 def test_a_part_is_tried_again(tmp_path):
     marks = tmp_path / "marks"
     marks.mkdir()
-    flaky = wrapper(tmp_path, f'if mkdir "{marks}/${{part//\\//-}}" 2> /dev/null; then kill -SEGV $$; fi')
+    flaky = wrapper(
+        tmp_path, f'if [[ $part != none ]] && mkdir "{marks}/${{part//\\//-}}" 2> /dev/null; then kill -SEGV $$; fi'
+    )
     out = tmp_path / "out"
     done = start(campaign(tmp_path, CHECK, 3), out, "--retries", "1", program=flaky)
-    # `merge` has no part and crashes the first time, too.
-    assert done.returncode != 0 and len(list(out.glob("*-of-3.json"))) == 3, done
-    assert len(list(marks.iterdir())) == 4
-    done = start(campaign(tmp_path, CHECK, 3), out)
-    assert done.returncode == 0, done
+    assert done.returncode == 0 and len(list(marks.iterdir())) == 3, done
     assert "pass: 3,000 trees, 0 rays, 27 methods, 0 disagreements" in done.stdout.splitlines()
 
 
@@ -153,9 +157,50 @@ def test_bad_files_are_named(tmp_path, text, what):
     assert len(done.stderr.splitlines()) == 1
 
 
-def test_a_program_that_is_not_there(tmp_path):
+def test_what_cannot_run_is_no_finding(tmp_path, monkeypatch):
+    path, out = campaign(tmp_path, CHECK, 2), tmp_path / "out"
+    refused(start(path, out, program=str(tmp_path / "none")), "none")
+    refused(start(path, out, program="false"), "false --version: exit code 1")
+    file = tmp_path / "file"
+    file.touch()
+    refused(start(path, file), str(file))
+    monkeypatch.setenv("DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT", "1s")
+    for address in ("127.0.0.1:1", "nowhere://x"):
+        refused(start(path, out, "--scheduler", address), address.partition(":")[0])
+    for option in (["--workers", "0"], ["--workers", "-1"], ["--threads", "0"], ["--retries", "-1"]):
+        refused(start(path, out, *option), option[0], "expected a number from")
+    assert not list(out.glob("*.json"))
+
+
+def test_a_run_accepts_only_its_own_records(tmp_path):
     out = tmp_path / "out"
-    done = start(campaign(tmp_path, CHECK, 2), out, "--retries", "0", program=str(tmp_path / "none"))
-    assert done.returncode == 2, done
-    assert len(list((out / "failed").iterdir())) == 2
-    shutil.rmtree(out)
+    path = campaign(tmp_path, CHECK, 2)
+    assert start(path, out).returncode == 0
+    first, second = (out / f"{i}-of-2.json" for i in (1, 2))
+    assert first.stat().st_mode & 0o777 == (tmp_path / "campaign.toml").stat().st_mode & 0o777
+    for command in (["check", "--trees", "3000", "--seed", "6"], [*CHECK, "--nosuch"]):
+        refused(start(campaign(tmp_path, command, 2), out), "1-of-2.json: not a record of this campaign: its command is")
+    path = campaign(tmp_path, CHECK, 2)
+    text = first.read_text()
+    for key, value in (("version", "0.0.9"), ("commit", "0123abc")):
+        record = json.loads(text)
+        record["run"][key] = value
+        first.write_text(json.dumps(record))
+        refused(start(path, out), "1-of-2.json: not a record of this campaign: its version is", value)
+    for other in (second.read_text(), "[]", "{}", '{"run": 5}', '{"run": {"version": 5, "commit": null}}'):
+        first.write_text(other)
+        refused(start(path, out), "1-of-2.json: not a record of this campaign: ")
+    # What a crash has cut off is made again.
+    for cut in ("", text[:-9]):
+        first.write_text(cut)
+        done = start(path, out)
+        assert done.returncode == 0 and "1-of-2.json: cut off" in done.stdout, done
+        assert counts(first) == json.loads(text) | {"run": counts(first)["run"]}
+
+
+def test_a_worker_with_another_version_fails(tmp_path):
+    out = tmp_path / "out"
+    other = wrapper(tmp_path, 'if [[ $1 == --version ]]; then echo "stackless 9.9.9 (0123abc)"; exit; fi')
+    done = start(campaign(tmp_path, CHECK, 2), out, "--retries", "0", program=other)
+    assert done.returncode == 2 and "expected 9.9.9 (0123abc)" in done.stdout, done
+    assert not list(out.glob("*.json"))

@@ -146,7 +146,7 @@ class Inside:
         It is 1 inside of a closed surface whose faces are seen counterclockwise from outside, 2 where two of them
         overlap, -1 inside of one that is turned, and 0 outside. A hole changes it by the part of the view that the hole
         takes up. Of a closed and oriented mesh the numbers are integers, and exact. Of others they are right within
-        1e-9, unless a point is next to an open edge; the time of each grows with the number of open edges. Of a point
+        1e-9, unless a point is on an open edge; the time of each grows with the number of open edges. Of a point
         that is exactly on a face, it is the number of one of its sides.
 
         Parameters

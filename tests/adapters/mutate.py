@@ -292,7 +292,7 @@ def record(arguments, whole, numbers, counts, lines):
     return {
         "run": {
             "command": "mutants",
-            "version": version.split()[-1],
+            "version": version.split()[1],
             "commit": os.environ.get("STACKLESS_COMMIT"),
             "asked": {"language": arguments.language, "sample": arguments.sample, "suite": suite},
             "parts": {"mutants": {"of": whole, "done": [[numbers.start, numbers.stop]] if numbers else []}},

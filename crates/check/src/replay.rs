@@ -42,7 +42,11 @@ pub enum ReplayError {
     #[error("{0}")]
     Read(#[from] std::io::Error),
     /// The text is not a replay. (The message names line and column.)
-    #[error("{0}")]
+    #[error(
+        "{}: {}; expected a replay: the line of JSON that `stackless check` prints for a disagreement on a tree",
+        if .0.is_data() { "not a replay" } else { "not JSON" },
+        .0
+    )]
     Json(#[from] serde_json::Error),
     /// The children are not a tree.
     #[error("children: {0}")]

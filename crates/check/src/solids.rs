@@ -84,7 +84,7 @@ impl Solids {
                 match source.below(4) {
                     0 => {
                         // A T-junction, unless the other face is cut there too.
-                        let middle = [0, 1, 2].map(|axis| (a[axis] + b[axis]) / 2);
+                        let middle = [0, 1, 2].map(|axis| i64::midpoint(a[axis], b[axis]));
                         faces.extend([[a, middle, c], [middle, b, c]]);
                     }
                     1 => faces.push([c, a, b]),

@@ -52,8 +52,8 @@ pub(crate) struct Args {
     /// opens with the first.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     method: Vec<Traversal>,
-    /// The page; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.html", value_parser = places::file_as("html"))]
+    /// The page, a .html file; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", value_parser = places::file_as("html"))]
     output: Output,
 }
 

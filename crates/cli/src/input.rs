@@ -1,5 +1,6 @@
 //! What the subcommands take in: scenes, names of traversals and words.
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -14,6 +15,7 @@ use stackless_scene::{Format, LoadedRows, Position, Row, RowFileError, SceneErro
 use stackless_suite::Traversal;
 
 use crate::output;
+use crate::places::{self, Output};
 
 /// A scene with its name.
 pub(crate) struct Scene<V: Position = Vec3> {
@@ -83,6 +85,15 @@ impl<V: Position> Scene<V> {
 /// The format that the extension of a file names; without one, `other`.
 pub(crate) fn format(path: &Path, other: Format) -> Result<Format, UnknownFormat> {
     Ok(Format::of(path)?.unwrap_or(other))
+}
+
+/// The format of a file to write, which a terminal may not get as bytes.
+pub(crate) fn format_to_write(output: &Output, other: Format) -> Result<Format, Box<dyn Error>> {
+    let format = format(output, other)?;
+    if format == Format::Npy {
+        places::refuse_terminal(output, format.name())?;
+    }
+    Ok(format)
 }
 
 /// Reads rays or points, and returns the name of their file for messages. `-` is the standard input.

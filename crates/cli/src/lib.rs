@@ -1,6 +1,6 @@
 //! The command `stackless`, and `lab`, which has what only those who work on the library ask for.
 
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 #![cfg_attr(not(feature = "lab"), allow(dead_code, unused_imports, reason = "`lab` alone uses some of it"))]
 
 mod bench;

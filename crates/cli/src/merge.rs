@@ -1,6 +1,7 @@
 //! `stackless merge`: records of parts, added up.
 
 mod outside;
+mod unique;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -17,6 +18,7 @@ use crate::plots::{Stretch, plot_campaign};
 use crate::record::{Counts, Part, Record, Run, say_verdict};
 use crate::stress::StressCounts;
 use outside::{FuzzCounts, MachineCounts, MutantCounts};
+use unique::Unique;
 
 /// Add up the records of all parts of a run.
 ///
@@ -48,7 +50,11 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args, commands: &[Command]) -> Outcome {
     let read = |path: &PathBuf| {
         let text = read_text(path).map_err(|error| format!("{}: cannot be read: {error}", path.display()))?;
-        let value = serde_json::from_str(&text).map_err(|error| format!("{}: {error}", path.display()))?;
+        let refused = |error: serde_json::Error| {
+            let what = if error.is_data() { "no record" } else { "not JSON" };
+            format!("{}: {what}: {error}; expected a record, as --json writes it", path.display())
+        };
+        let Unique(value) = serde_json::from_str(&text).map_err(refused)?;
         Ok((path.display().to_string(), value))
     };
     let records = args.records.iter().map(read).collect::<Result<Vec<(String, Value)>, String>>()?;
@@ -83,7 +89,9 @@ pub(crate) const COMMANDS: [Command; 5] = [
 fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     let mut records = Vec::new();
     for (path, value) in values {
+        check_numbers(&value).map_err(|what| format!("{path}: {what}"))?;
         let record: Record<C> = serde_json::from_value(value).map_err(|error| format!("{path}: no record: {error}"))?;
+        record.run.check().and_then(|()| record.counts.check(&record.run)).map_err(|what| format!("{path}: {what}"))?;
         records.push((path, record));
     }
     let plot = args.plot.as_ref().map(|path| (path, draw(&mut records)));
@@ -119,9 +127,6 @@ fn add<C: Counts>(records: Vec<(String, Record<C>)>) -> Result<Record<C>, String
     let mut sum: Option<(String, Record<C>)> = None;
     for (path, record) in records {
         for (name, part) in &record.run.parts {
-            if let Some(range) = part.done.iter().find(|[from, to]| from >= to || *to > part.of) {
-                return Err(format!("{path}: {name} {range:?}: expected a range within 0 to {}", part.of));
-            }
             done.entry(name.clone()).or_default().extend(part.done.iter().map(|&range| (range, path.clone())));
         }
         sum = Some(match sum {
@@ -168,7 +173,35 @@ fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(),
     Err(format!("{count} of {of} {name} are missing: {}{more}", shown.join(", ")))
 }
 
+/// More than this a run does not count, nor take seconds. Every such integer is a float, too.
+const MOST: f64 = (1_u64 << 53) as f64;
+
+/// Refuses numbers that no run counts. What was asked may have any.
+fn check_numbers(value: &Value) -> Result<(), String> {
+    match value {
+        Value::Number(number) if number.as_f64().is_none_or(|number| !(0.0..=MOST).contains(&number)) => {
+            Err(format!("{number}: expected a number from 0 to {MOST}"))
+        }
+        Value::Array(values) => values.iter().try_for_each(check_numbers),
+        Value::Object(values) => values
+            .iter()
+            .filter(|(key, _)| *key != "asked")
+            .try_for_each(|(key, value)| check_numbers(value).map_err(|what| format!("{key}: {what}"))),
+        _ => Ok(()),
+    }
+}
+
 impl Run {
+    /// Refuses ranges that are not within their list.
+    fn check(&self) -> Result<(), String> {
+        for (name, Part { of, done }) in &self.parts {
+            if let Some(range) = done.iter().find(|[from, to]| from >= to || to > of) {
+                return Err(format!("{name} {range:?}: expected a range within 0 to {of}"));
+            }
+        }
+        Ok(())
+    }
+
     /// Takes what another part of this run has done. The error says what is different in it.
     fn join(&mut self, other: Self) -> Result<(), String> {
         let named = |what: &str| Err(format!("another {what}"));

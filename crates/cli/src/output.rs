@@ -98,7 +98,7 @@ pub(crate) fn leave_to_file() {
 pub(crate) fn print_line(line: fmt::Arguments<'_>) {
     let line = line.to_string();
     match LINES.load(Ordering::Relaxed) {
-        TO_OUTPUT => note(writeln!(io::stdout(), "{}", plain(&line))),
+        TO_OUTPUT => note(stdout().and_then(|mut output| writeln!(output, "{}", plain(&line)))),
         TO_ERROR => warn(&line),
         _ => {}
     }
@@ -117,11 +117,43 @@ pub(crate) fn print_error(error: &dyn fmt::Display) {
     warn(&format!("error: {}{end}", text.chars().take(SHOWN).collect::<String>()));
 }
 
+/// The number of the error "bad file descriptor" on every Unix.
+#[cfg(unix)]
+const EBADF: i32 = 9;
+
+/// Whether the process was started without a standard output (`>&-`). Rust opens `/dev/null` in its place before `main`,
+/// so that is known only earlier.
+#[cfg(unix)]
+static IS_CLOSED: AtomicBool = AtomicBool::new(false);
+
+#[cfg(unix)]
+ctor::declarative::ctor! {
+    #[ctor(unsafe)]
+    fn look_at_output() {
+        use std::os::fd::AsFd;
+        let copied = io::stdout().as_fd().try_clone_to_owned();
+        let is_closed = copied.is_err_and(|error| error.raw_os_error() == Some(EBADF));
+        IS_CLOSED.store(is_closed, Ordering::Relaxed);
+    }
+}
+
+/// The standard output.
+///
+/// # Errors
+/// It was closed when the process was started.
+pub(crate) fn stdout() -> io::Result<io::StdoutLock<'static>> {
+    #[cfg(unix)]
+    if IS_CLOSED.load(Ordering::Relaxed) {
+        return Err(io::Error::from_raw_os_error(EBADF));
+    }
+    Ok(io::stdout().lock())
+}
+
 /// Why the standard output could not be written, the first time that it could not.
 static FAILURE: Mutex<Option<io::Error>> = Mutex::new(None);
 
 /// Notes a failure. A reader that has gone away is none.
-fn note(written: io::Result<()>) {
+pub(crate) fn note(written: io::Result<()>) {
     if let Err(error) = written
         && error.kind() != io::ErrorKind::BrokenPipe
     {
@@ -182,7 +214,7 @@ pub(crate) fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(
 /// Writes a file, whole or not at all; `-` is the standard output, whose failure [`finish`] tells.
 pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     if path.as_os_str() == "-" {
-        note(write(&mut io::stdout().lock()));
+        note(stdout().and_then(|mut output| write(&mut output)));
         return Ok(());
     }
     stackless_scene::write_atomically(path, write)

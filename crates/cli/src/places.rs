@@ -1,5 +1,6 @@
 //! Which places a command line reads and writes, looked at before the work begins.
 
+use std::io::IsTerminal as _;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -50,8 +51,17 @@ pub(crate) fn file_as(kind: &'static str) -> impl TypedValueParser<Value = Outpu
         Some(other) if !other.eq_ignore_ascii_case(kind) => {
             Err(format!("the extension says .{}, expected .{kind}: no other kind is written", other.display()))
         }
+        _ if kind == "png" => refuse_terminal(Path::new(&name), kind).and_then(|()| named(name.into())),
         _ => named(name.into()),
     })
+}
+
+/// Refuses to write a kind of file that is no text to a terminal.
+pub(crate) fn refuse_terminal(path: &Path, kind: &str) -> Result<(), String> {
+    if path.as_os_str() == "-" && io::stdout().is_terminal() {
+        return Err(format!("the standard output is a terminal, and .{kind} is no text: expected a file or a pipe"));
+    }
+    Ok(())
 }
 
 /// The path of a folder to write to.

@@ -26,6 +26,7 @@ use crate::trace::in_chunks;
 /// records of place.
 #[derive(clap::Args)]
 #[command(
+    override_usage = "stackless contains [OPTIONS] --points <FILE>\n       --output <FILE> <SCENE>",
     after_help = "Examples:\n  stackless contains examples/data/torus.ply --points examples/data/points.csv -o places.csv\n  \
     echo 1,0,0 | stackless contains examples/data/torus.ply --points - -o -"
 )]
@@ -45,6 +46,7 @@ pub(crate) struct Contains {
 /// is -1 and the other columns are empty. Files are as those of `contains`.
 #[derive(clap::Args)]
 #[command(
+    override_usage = "stackless nearest [OPTIONS] --points <FILE>\n       --output <FILE> <SCENE>",
     after_help = "Examples:\n  stackless nearest examples/data/torus.ply --points examples/data/points.csv -o nearest.csv\n  \
     echo 1,0,0 | stackless nearest examples/data/torus.ply --points - -o - --signed parity"
 )]
@@ -179,7 +181,7 @@ struct Asked<V: Precision + Position> {
 
 impl Input {
     fn read<V: Precision + Position>(&self) -> Result<Asked<V>, Box<dyn Error>> {
-        input::format(&self.output, self.format)?;
+        input::format_to_write(&self.output, self.format)?;
         let (name, points) = input::rows::<Point<V>>(&self.points, input::format(&self.points, self.format)?)?;
         let scene = Scene::load(&self.scene)?;
         if let Some(note) = points.note(name, stackless_scene::size(&scene.mesh)) {

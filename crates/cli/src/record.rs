@@ -2,7 +2,7 @@
 //! the whole.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 use std::path::Path;
 
 use cpu_time::ProcessTime;
@@ -21,6 +21,9 @@ use crate::output::{grouped, say, write_json};
 pub(crate) trait Counts: Serialize + DeserializeOwned {
     /// Name of the command in records.
     const COMMAND: &str;
+
+    /// Refuses counts that do not fit the parts of the run, or one another.
+    fn check(&self, run: &Run) -> Result<(), String>;
 
     /// Adds what another part counted.
     fn add(&mut self, other: Self);
@@ -98,6 +101,12 @@ impl Run {
         range
     }
 
+    /// How many cases were done of the lists with such names.
+    pub(crate) fn done(&self, is_wanted: impl Fn(&str) -> bool) -> u64 {
+        let parts = self.parts.iter().filter(|(name, _)| is_wanted(name));
+        parts.flat_map(|(_, part)| &part.done).fold(0, |sum, [from, to]| sum.saturating_add(to - from))
+    }
+
     /// Refuses a part with nothing in it.
     pub(crate) fn refuse_empty(&self, shard: Shard) -> Result<(), String> {
         if self.parts.values().all(|part| part.done.is_empty()) {
@@ -115,6 +124,15 @@ impl Run {
             write_json(path, &Record { run: self, counts })?;
         }
         Ok(is_well)
+    }
+}
+
+/// Refuses a number of a record that is not within these.
+pub(crate) fn expect(what: &str, number: u64, within: RangeInclusive<u64>) -> Result<(), String> {
+    match (within.start(), within.end()) {
+        _ if within.contains(&number) => Ok(()),
+        (low, high) if low == high => Err(format!("{what}: {number}, expected {low} by the other numbers")),
+        (low, high) => Err(format!("{what}: {number}, expected {low} to {high} by the other numbers")),
     }
 }
 

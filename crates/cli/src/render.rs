@@ -30,13 +30,13 @@ use sample::{Sample, Samples};
 /// exact.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless render examples/data/torus.ply -o torus.png\n  \
-    stackless render examples/data/room.obj --kind ao --spp 64 --size 800x600 --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \
+    stackless render examples/data/room.obj --kind ao --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \
     stackless render examples/data/room.obj --heatmap nodes --method stack,skip -o nodes.png")]
 pub(crate) struct Args {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// The picture; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.png", value_parser = places::file_as("png"))]
+    /// The picture, a .png file; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", value_parser = places::file_as("png"))]
     output: Output,
     #[command(flatten)]
     camera: camera::Options,

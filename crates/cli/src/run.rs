@@ -2,6 +2,7 @@
 
 use std::any::TypeId;
 use std::process::ExitCode;
+use std::sync::LazyLock;
 
 use clap::{ArgMatches, Args, FromArgMatches, Parser, ValueHint};
 use stackless_bvh::geom::check_environment;
@@ -52,7 +53,11 @@ pub(crate) fn command_line<P: Program>() -> clap::Command {
         let hinted = |arg: clap::Arg| if is_output(&arg) { arg.value_hint(ValueHint::AnyPath) } else { arg };
         command.mut_args(hinted).mut_subcommands(hint)
     }
-    hint(Common::augment_args(P::command()))
+    static VERSION: LazyLock<String> = LazyLock::new(|| {
+        let commit = option_env!("STACKLESS_COMMIT").map(|commit| format!(" ({commit})"));
+        [env!("CARGO_PKG_VERSION"), &commit.unwrap_or_default()].concat()
+    });
+    hint(Common::augment_args(P::command())).version(VERSION.as_str())
 }
 
 fn run_with(program: impl Program, common: Common, matches: &ArgMatches) -> Outcome {
@@ -69,15 +74,13 @@ fn run_with(program: impl Program, common: Common, matches: &ArgMatches) -> Outc
 
 /// Prints the help that was asked for, or what is wrong with the command line.
 fn show(usage: &clap::Error) -> Outcome {
-    let is_help = usage.exit_code() == 0;
-    match usage.print() {
-        Err(error) if is_help && error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(format!("standard output: cannot be written: {error}").into())
-        }
-        _ if is_help => Ok(true),
-        // It is said already, as well as it can be.
-        _ => Err(Box::new(Said)),
+    if usage.exit_code() == 0 {
+        output::note(output::stdout().and_then(|_| usage.print()));
+        return Ok(true);
     }
+    // It is said as well as it can be.
+    let _ = usage.print();
+    Err(Box::new(Said))
 }
 
 /// An error that its reader has been told of.

@@ -3,7 +3,7 @@
 #[cfg(feature = "peers")]
 mod peer;
 
-use std::io::{self, BufReader, stdin, stdout};
+use std::io::{self, BufReader, stdin};
 use std::path::{Path, PathBuf};
 
 use clap::Subcommand;
@@ -12,7 +12,7 @@ use stackless_bvh::traverse::WordName;
 use stackless_suite::{Feature, Implementation, Level, Library, Suite, Traversal, VERSION, serve};
 
 use crate::conform::{load, select};
-use crate::output::{grouped, say, table, write_file};
+use crate::output::{grouped, say, stdout, table, write_file};
 use crate::places::{self, Output};
 use crate::{Outcome, input};
 
@@ -103,7 +103,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 /// Answers whoever asks, until there is nobody any more.
 fn answer(implementation: &mut impl Implementation) -> io::Result<()> {
-    match serve(implementation, BufReader::new(stdin()), stdout().lock()) {
+    match serve(implementation, BufReader::new(stdin()), stdout()?) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
         served => served,
     }

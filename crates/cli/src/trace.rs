@@ -35,6 +35,7 @@ use crate::places::{self, Output};
 /// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) hold rows of 6 or 8 floats, and records of prim, t, u, v.
 #[derive(clap::Args)]
 #[command(
+    override_usage = "stackless trace [OPTIONS] --rays <FILE>\n       --output <FILE> <SCENE>",
     after_help = "Examples:\n  stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.csv\n  \
     stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o hits.npy --single\n  \
     stackless trace examples/data/torus.ply --rays examples/data/rays.csv -o - --query all\n  \
@@ -134,7 +135,7 @@ impl Args {
         &self,
         trace: impl FnOnce(&Self, &Scene<V>, &[Ray<V>]) -> Result<Traced<V::Real>, Box<dyn Error>>,
     ) -> Outcome {
-        let written_as = input::format(&self.output, self.format)?;
+        let written_as = input::format_to_write(&self.output, self.format)?;
         let read_as = input::format(&self.rays, self.format)?;
         let (name, rays) = input::rows(&self.rays, read_as)?;
         let scene = Scene::load(&self.scene)?;

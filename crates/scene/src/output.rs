@@ -1,10 +1,11 @@
 //! Output that is there whole or not at all.
 
-use std::collections::BTreeSet;
 use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use tempfile::TempPath;
 
 /// Creates or replaces a file with what `write` writes, or leaves everything as it was if that fails.
 ///
@@ -29,9 +30,12 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::R
             }
             let mut writer = BufWriter::new(file);
             write(&mut writer)?;
+            let file = writer.into_inner()?;
+            // The name must not reach the disk before the text does.
+            file.sync_all()?;
             // Closed before it is renamed, as some systems want.
-            drop(writer.into_inner()?);
-            fs::rename(&temporary.0, &target)
+            drop(file);
+            temporary.rename(&target)
         }
     }
 }
@@ -57,10 +61,8 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
 /// Removes the temporary files of all writes that are under way, and lets none begin: for a program that a signal ends.
 /// A thread that writes waits from then on.
 pub fn abandon_writes() {
-    let live = live();
-    for path in live.iter() {
-        fs::remove_file(path).ok();
-    }
+    let mut live = live();
+    live.clear();
     std::mem::forget(live);
 }
 
@@ -118,42 +120,45 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::new(io::ErrorKind::InvalidInput, "too many symbolic links"))
 }
 
-/// The temporary files that exist now.
-static LIVE: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// The temporary files that exist now. A file is removed when it leaves the list, unless it has been renamed.
+static LIVE: Mutex<Vec<TempPath>> = Mutex::new(Vec::new());
 
-fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+fn live() -> MutexGuard<'static, Vec<TempPath>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A file that is removed in the end, unless it has got another name by then.
+/// A file of [`LIVE`].
 struct Temporary(PathBuf);
 
 impl Temporary {
     fn beside(target: &Path) -> io::Result<(Self, File)> {
         let mut live = live();
-        let mut number = 0_u32;
-        loop {
-            // Of the target's name nothing: it may be as long as a name can be.
-            let temporary = target.with_file_name(format!(".stackless.{number}.tmp"));
-            match File::create_new(&temporary) {
-                Ok(file) => {
-                    live.insert(temporary.clone());
-                    return Ok((Self(temporary), file));
-                }
-                // Of another run: take the next number.
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
-                Err(error) => return Err(error),
-            }
-        }
+        // Nothing of the target's name: it may be as long as a name can be.
+        let mut names = tempfile::Builder::new();
+        let names = names.prefix(".stackless.").suffix(".tmp");
+        // Created here, so that the file has the permissions of any new file, and errors name no temporary path.
+        let file = names.make_in(target.with_file_name(""), |path| File::create_new(path))?;
+        let (file, path) = file.into_parts();
+        let name = path.to_path_buf();
+        live.push(path);
+        Ok((Self(name), file))
+    }
+
+    fn rename(&self, target: &Path) -> io::Result<()> {
+        // Held throughout: a signal in between would find a file without a name, or a name without a file.
+        let mut live = live();
+        self.take(&mut live).map_or(Ok(()), |path| path.persist(target).map_err(|error| error.error))
+    }
+
+    fn take(&self, live: &mut Vec<TempPath>) -> Option<TempPath> {
+        let at = live.iter().position(|path| **path == *self.0)?;
+        Some(live.swap_remove(at))
     }
 }
 
 impl Drop for Temporary {
     fn drop(&mut self) {
-        let mut live = live();
-        // Renamed away or not removable: either way nothing is left to do.
-        fs::remove_file(&self.0).ok();
-        live.remove(&self.0);
+        self.take(&mut live());
     }
 }
 
@@ -194,12 +199,47 @@ mod tests {
     }
 
     #[test]
-    fn a_taken_temporary_name_is_left_alone() {
-        let folder = Folder::new("taken");
-        fs::write(folder.file(".stackless.0.tmp"), "of another run").unwrap();
-        write_atomically(&folder.file("out.csv"), |w| w.write_all(b"new")).unwrap();
-        assert_eq!(folder.names(), [".stackless.0.tmp", "out.csv"]);
-        assert_eq!(fs::read_to_string(folder.file(".stackless.0.tmp")).unwrap(), "of another run");
+    fn a_temporary_name_is_used_once() {
+        let folder = Folder::new("once");
+        let mut names = Vec::new();
+        for _ in 0..20 {
+            write_atomically(&folder.file("out.csv"), |_| {
+                names.extend(folder.names().into_iter().filter(|name| name != "out.csv"));
+                Ok(())
+            })
+            .unwrap();
+        }
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), 20, "{names:?}");
+    }
+
+    /// No writer touches the temporary file of another one, which may be a thread or a process: this test runs itself.
+    #[test]
+    fn many_writers_of_one_file_all_succeed() {
+        let inherited = std::env::var_os("STACKLESS_TEST_WRITES");
+        let folder = Folder::new("many");
+        let path = inherited.clone().map_or_else(|| folder.file("out.csv"), PathBuf::from);
+        let write = |name: u8| {
+            for _ in 0..60 {
+                check_writable(&path).unwrap();
+                write_atomically(&path, |w| w.write_all(&[name; 1000])).unwrap();
+                let text = fs::read(&path).unwrap();
+                assert!(text.len() == 1000 && text.iter().all(|&byte| byte == text[0]));
+            }
+        };
+        let other = || {
+            let mut command = std::process::Command::new(std::env::current_exe().unwrap());
+            command.args(["many_writers_of_one_file", "--quiet"]).env("STACKLESS_TEST_WRITES", &path);
+            command.stdout(std::process::Stdio::piped()).spawn().unwrap()
+        };
+        let others: Vec<_> = inherited.is_none().then(|| [other(), other()]).into_iter().flatten().collect();
+        std::thread::scope(|scope| (0..2).for_each(|name| _ = scope.spawn(move || write(name))));
+        for other in others {
+            let output = other.wait_with_output().unwrap();
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stdout));
+        }
+        assert!(folder.names().iter().all(|name| name == "out.csv"), "{:?}", folder.names());
     }
 
     #[cfg(unix)]

@@ -46,7 +46,11 @@ pub enum WaiverError {
     #[error("{0}")]
     Read(#[from] std::io::Error),
     /// It is no such list. (The message names line and column.)
-    #[error("{}", Shown(.0.to_string()))]
+    #[error(
+        "{}: {}; expected a list of waivers: [{{\"id\": ..., \"reason\": ...}}, ...]",
+        if .0.is_data() { "not waivers" } else { "not JSON" },
+        Shown(.0.to_string())
+    )]
     Json(#[from] serde_json::Error),
     /// An id stands twice.
     #[error("case '{}' stands twice", Shown(.0))]

@@ -11,9 +11,10 @@ use stackless_check::{Battery, Disagreement, Plan, Replay, SceneDisagreement, Ta
 use stackless_scene::Position;
 
 use super::Total;
+use crate::build;
 use crate::input::Scene;
 use crate::output::{count, detail, grouped, say, table};
-use crate::record::{Counts, Numbered, Run, claim};
+use crate::record::{Counts, Numbered, Part, Run, claim, expect};
 
 /// The counts of the file of `--json`.
 #[derive(Serialize, Deserialize)]
@@ -90,6 +91,35 @@ impl Summary {
 
 impl Counts for Summary {
     const COMMAND: &str = "check";
+
+    fn check(&self, run: &Run) -> Result<(), String> {
+        let is_scene = |name: &str| name.starts_with("rays of scene ");
+        let abstract_trees = run.done(|name| !is_scene(name) && name != "trees, putting aside");
+        // The part with the first ray of a scene counts its trees.
+        let begins = |(name, part): (&String, &Part)| is_scene(name) && part.done.iter().any(|[from, _]| *from == 0);
+        let builds = build::CHECKED.len() as u64;
+        let trees = abstract_trees + builds * run.parts.iter().filter(|&part| begins(part)).count() as u64;
+        expect("trees", self.trees, trees..=trees)?;
+        let rays = run.done(is_scene).saturating_mul(builds);
+        expect("rays", self.rays, rays..=rays)?;
+        let methods: HashSet<_> = self.rows.iter().map(|row| &row.method).collect();
+        expect("methods", self.methods as u64, methods.len() as u64..=methods.len() as u64)?;
+        // Each ray is a query for the closest hit and one for any.
+        let cases = abstract_trees.saturating_add(rays.saturating_mul(2));
+        let (mut keys, mut wrong) = (HashSet::new(), 0_u64);
+        for row in &self.rows {
+            let name = format!("{} {}", row.method, row.word);
+            expect(&format!("{name}: cases and refused"), row.cases.saturating_add(row.refused), cases..=cases)?;
+            expect(&format!("{name}: agree"), row.agree, 0..=row.cases)?;
+            wrong = wrong.saturating_add(row.cases - row.agree);
+            if !keys.insert(name.clone()) {
+                return Err(format!("{name}: two rows, expected one"));
+            }
+        }
+        // Faults of the oracle and of pauses are in no row.
+        let is_faulty = self.smallest.is_some() || self.pause_fault.is_some() || !self.scene_faults.is_empty();
+        expect("disagreements", self.disagreements, wrong.max(is_faulty.into())..=u64::MAX)
+    }
 
     fn add(&mut self, other: Self) {
         self.trees = self.trees.saturating_add(other.trees);

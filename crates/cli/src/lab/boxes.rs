@@ -7,7 +7,7 @@ use stackless_check::{BoxTally, Shard, check_boxes};
 use crate::Outcome;
 use crate::output::{bar, count, grouped, say, table};
 use crate::places::{self, Output};
-use crate::record::{Counts, Run};
+use crate::record::{Counts, Run, expect};
 
 /// Count how often each box test skips a box that its ray touches.
 ///
@@ -45,6 +45,15 @@ pub(crate) struct BoxCounts(BoxTally);
 
 impl Counts for BoxCounts {
     const COMMAND: &str = "boxes";
+
+    fn check(&self, run: &Run) -> Result<(), String> {
+        let BoxTally { rays, touched, skipped, in_vain } = self.0;
+        // Not every number makes a ray.
+        expect("rays", rays, 0..=run.done(|_| true))?;
+        expect("touched", touched, 0..=rays)?;
+        skipped.into_iter().try_for_each(|skipped| expect("skipped", skipped, 0..=touched))?;
+        in_vain.into_iter().try_for_each(|in_vain| expect("in_vain", in_vain, 0..=rays - touched))
+    }
 
     fn add(&mut self, other: Self) {
         self.0 = self.0.merge(other.0);

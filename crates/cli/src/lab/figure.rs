@@ -19,8 +19,8 @@ pub(crate) struct Args {
     figure: Figure,
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// The picture; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE.png", value_parser = places::file_as("png"))]
+    /// The picture, a .png file; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", value_parser = places::file_as("png"))]
     output: Output,
     #[command(flatten)]
     camera: camera::Options,

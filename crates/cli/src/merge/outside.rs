@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::output::{count, detail, grouped, say, table};
-use crate::record::{Counts, Run};
+use crate::record::{Counts, Run, expect};
 
 /// What `tests/adapters/mutate.py` counts.
 #[derive(Serialize, Deserialize)]
@@ -25,6 +25,16 @@ pub(super) struct MutantCounts {
 
 impl Counts for MutantCounts {
     const COMMAND: &str = "mutants";
+
+    fn check(&self, run: &Run) -> Result<(), String> {
+        let (survivors, stale) = (self.survivors.len() as u64, self.stale.len() as u64);
+        let outcomes = [self.not_compiled, self.caught, self.equivalent, survivors];
+        let mutants = outcomes.into_iter().fold(0, u64::saturating_add);
+        expect("mutants", self.mutants, mutants..=mutants)?;
+        expect("mutants", self.mutants, run.done(|_| true)..=run.done(|_| true))?;
+        expect("timed_out", self.timed_out, 0..=self.caught)?;
+        expect("stale", stale, 0..=self.caught.saturating_add(self.not_compiled))
+    }
 
     fn add(&mut self, other: Self) {
         self.mutants = self.mutants.saturating_add(other.mutants);
@@ -91,8 +101,19 @@ pub(super) struct MachineCounts {
     searches: BTreeMap<String, u64>,
 }
 
+impl MachineCounts {
+    fn searches(&self) -> u64 {
+        self.searches.values().copied().fold(0, u64::saturating_add)
+    }
+}
+
 impl Counts for MachineCounts {
     const COMMAND: &str = "differ";
+
+    fn check(&self, run: &Run) -> Result<(), String> {
+        expect("cases", self.cases, run.done(|_| true)..=run.done(|_| true))?;
+        expect("errors", self.errors, 0..=self.searches())
+    }
 
     fn add(&mut self, other: Self) {
         self.cases = self.cases.saturating_add(other.cases);
@@ -111,8 +132,7 @@ impl Counts for MachineCounts {
     }
 
     fn sum(&self) -> String {
-        let searches = self.searches.values().copied().fold(0, u64::saturating_add);
-        let [cases, searches, visits] = [self.cases, searches, self.visits].map(grouped);
+        let [cases, searches, visits] = [self.cases, self.searches(), self.visits].map(grouped);
         format!("{cases} cases to height {}, {searches} searches, {visits} visits, {} differ", self.height, self.errors)
     }
 
@@ -177,6 +197,11 @@ impl FuzzCounts {
 
 impl Counts for FuzzCounts {
     const COMMAND: &str = "fuzz";
+
+    /// A run has no parts, and what it counts has no sum.
+    fn check(&self, _: &Run) -> Result<(), String> {
+        Ok(())
+    }
 
     fn add(&mut self, other: Self) {
         self.runs.extend(other.runs);

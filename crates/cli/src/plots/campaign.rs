@@ -45,7 +45,7 @@ pub(super) fn draw(size: (f64, f64), title: &str, parts: &[Stretch]) -> Canvas {
     let sums: Vec<Sum> = parts
         .iter()
         .scan((0.0, 0_u64, 0_u64), |sum, part| {
-            *sum = (sum.0 + part.seconds / unit, sum.1.saturating_add(part.cases), sum.2 + part.errors);
+            *sum = (sum.0 + part.seconds / unit, sum.1.saturating_add(part.cases), sum.2.saturating_add(part.errors));
             Some(*sum)
         })
         .collect();
@@ -92,6 +92,9 @@ mod tests {
         let [clean, wrong] = [0, 2].map(|errors| plot_campaign("t", &[part(0), part(errors), part(0)]));
         // One in each chart, and one in the legend.
         assert!(!clean.contains(red) && wrong.matches(red).count() == 3, "{wrong}");
-        assert!(plot_campaign("nothing", &[]).ends_with("</svg>\n"));
+        let most = Stretch { seconds: 9e15, cases: u64::MAX, errors: u64::MAX };
+        for parts in [&[][..], &[most, most]] {
+            assert!(plot_campaign("extremes", parts).ends_with("</svg>\n"));
+        }
     }
 }

@@ -5,7 +5,7 @@ use stackless_bvh::trace::Accuracy;
 use stackless_check::Errors;
 
 use crate::output::{count, detail, say, table};
-use crate::record::{Counts, add_rows};
+use crate::record::{Counts, Run, add_rows, expect};
 
 /// The name of the rows of wide trees, which are exact.
 pub(super) const WIDE: &str = "exact, wide";
@@ -37,6 +37,22 @@ pub(super) struct Row {
 
 impl Counts for StressCounts {
     const COMMAND: &str = "stress";
+
+    fn check(&self, run: &Run) -> Result<(), String> {
+        for row in &self.rows {
+            let name = format!("{}, {}", row.case, row.accuracy);
+            let cases = self.rows.iter().filter(|other| other.accuracy == row.accuracy).map(|row| row.case.clone());
+            if run.asked.get("cases") != Some(&cases.collect()) {
+                return Err(format!("{name}: expected a row of {} for each of the `cases`", row.accuracy));
+            }
+            let rays = run.done(|_| true).saturating_mul(if row.accuracy == DOUBLE { 2 } else { 1 });
+            expect(&format!("{name}: rays"), row.rays, rays..=rays)?;
+            for errors in [row.false_misses, row.false_hits, row.wrong_primitives] {
+                expect(&format!("{name}: errors"), errors, 0..=rays)?;
+            }
+        }
+        Ok(())
+    }
 
     fn add(&mut self, other: Self) {
         let is_same = |row: &Row, other: &Row| (&row.case, &row.accuracy) == (&other.case, &other.accuracy);

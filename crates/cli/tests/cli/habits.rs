@@ -7,7 +7,7 @@ use super::support::{Folder, stackless};
 
 const COMMANDS: &[&str] = &[
     "check", "trace", "render", "explain", "bench", "stress", "conform", "suite", "stats", "methods", "merge",
-    "generate",
+    "generate", "contains", "nearest",
 ];
 
 #[test]
@@ -55,6 +55,39 @@ fn a_dash_is_a_stream() {
     assert!(json.stderr.contains("pass: 146 cases"), "{}", json.stderr);
     let run = stackless("stress --count 10 --json", &[std::path::Path::new("")]);
     assert!(run.code == Some(2), "{run:?}");
+}
+
+/// Files that are no text are not written to a terminal.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_gets_text_alone() {
+    for (args, code, what) in [
+        ("render soup --size 8 -o -", 2, ".png is no text"),
+        ("trace soup --rays /dev/null --format npy -o -", 2, ".npy is no text"),
+        ("stats soup --count 16 --plot -", 0, "<svg"),
+    ] {
+        let mut script = Command::new("script");
+        script.args(["-qec", &format!("{} {args}", env!("CARGO_BIN_EXE_stackless")), "/dev/null"]);
+        let output = script.stdin(Stdio::null()).output().unwrap();
+        let said = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.code() == Some(code) && said.contains(what), "{args}: {said}");
+    }
+}
+
+/// Help fits the width of the terminal: lines end between words.
+#[test]
+fn help_breaks_lines_between_words() {
+    let help = |topic: &&str, width: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
+        command.arg("help").args((!topic.is_empty()).then_some(topic)).env("COLUMNS", width).stdin(Stdio::null());
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    for topic in COMMANDS.iter().chain([&""]) {
+        let [narrow, wide] = ["60", "10000"].map(|width| help(topic, width));
+        assert!(narrow.split_whitespace().eq(wide.split_whitespace()), "{narrow}");
+        let is_long = |line: &&str| line.chars().count() > 60 && line.split_whitespace().count() > 1;
+        assert_eq!(narrow.lines().find(is_long), None, "{topic}");
+    }
 }
 
 /// Nothing is written before it is whole.

@@ -26,6 +26,10 @@ const RUNS: &[(&str, &[&str])] = &[
     ("stats CUBE --count 16", &["--json", "--plot"]),
     ("methods", &[]),
     ("generate zsh", &[]),
+    ("generate man -o MAN", &[]),
+    ("suite export --suite SUITE -o EXPORT", &[]),
+    ("stress --list", &[]),
+    ("merge RECORD", &["--json", "--plot"]),
     ("--help", &[]),
     ("--version", &[]),
 ];
@@ -40,6 +44,7 @@ impl Place {
     fn new() -> Self {
         let folder = Folder::new();
         folder.file("rays.csv", "0.5,0.5,9,0,0,-1,0,inf\n");
+        stackless("check --trees 5 --method stack --json", &[&folder.path("record.json")]).passes();
         stackless("suite export --filter key/u32/child-* -o", &[&folder.path("suite")]).passes();
         Self { folder }
     }
@@ -55,6 +60,8 @@ impl Place {
             "CUBE" => CUBE.to_owned(),
             "RAYS" => path("rays.csv"),
             "SUITE" => path("suite"),
+            "RECORD" => path("record.json"),
+            "MAN" | "EXPORT" => path("folder of files"),
             "STACKLESS" => stackless.to_owned(),
             word => word.to_owned(),
         };
@@ -72,26 +79,32 @@ fn needed<'p>(options: &[&'p str], place: &'p str) -> Vec<&'p str> {
     options.iter().filter(is_needed).flat_map(|option| [*option, place]).collect()
 }
 
-/// A standard output that is full is an error, and one that is closed is not. Neither ever ends in a panic.
+/// The command, started without a standard output.
+fn without_output(command: &Command) -> Command {
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "exec \"$0\" \"$@\" >&-"]).arg(command.get_program()).args(command.get_args());
+    shell
+}
+
+/// A standard output that is full, or not there, is an error; a reader that goes away is none. Neither ends in a panic.
 #[test]
-fn a_full_output_is_an_error_and_a_closed_one_is_not() {
+fn an_output_that_cannot_be_written_is_an_error_and_a_reader_that_goes_away_is_not() {
     let place = Place::new();
     let out = place.folder.path("out").display().to_string();
     for (args, options) in RUNS {
         let full = || File::options().write(true).open("/dev/full").unwrap();
-        let output = place.command(args, &needed(options, &out)).stdout(full()).output().unwrap();
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{args}: {error}");
-        assert!(error.ends_with('\n') && error.contains("standard output: cannot be written"), "{args}: {error}");
-        // With nobody to tell, the exit code still tells.
-        let status = place.command(args, &needed(options, &out)).stdout(full()).stderr(full()).status().unwrap();
-        assert_eq!(status.code(), Some(2), "{args}");
+        let own = needed(options, &out);
         // What is written to `-` too.
-        for option in *options {
-            let output = place.command(args, &[option, "-"]).stdout(full()).output().unwrap();
-            let error = String::from_utf8(output.stderr).unwrap();
-            assert_eq!(output.status.code(), Some(2), "{args} {option} -: {error}");
-            assert!(error.contains("standard output: cannot be written"), "{args} {option} -: {error}");
+        for options in [own.clone()].into_iter().chain(options.iter().map(|option| vec![*option, "-"])) {
+            for mut command in [place.command(args, &options), without_output(&place.command(args, &options))] {
+                let output = command.stdout(full()).output().unwrap();
+                let error = String::from_utf8(output.stderr).unwrap();
+                assert_eq!(output.status.code(), Some(2), "{command:?}: {error}");
+                assert!(error.ends_with('\n'), "{command:?}: {error}");
+                assert!(error.contains("standard output: cannot be written"), "{command:?}: {error}");
+                // With nobody to tell, the exit code still tells.
+                assert_eq!(command.stderr(full()).status().unwrap().code(), Some(2), "{command:?}");
+            }
         }
 
         let mut child =
@@ -100,10 +113,16 @@ fn a_full_output_is_an_error_and_a_closed_one_is_not() {
         let output = child.unwrap().wait_with_output().unwrap();
         assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()), "{args}");
     }
+    // Where nothing is said, no output is needed.
+    let quiet = without_output(&place.command("--quiet check --trees 5", &[])).status().unwrap();
+    assert_eq!(quiet.code(), Some(0));
     // An adapter that cannot be heard, or is not.
     let hello = || File::open(place.folder.file("hello", "{\"cmd\":\"hello\",\"protocol\":1}\n")).unwrap();
     let full = File::options().write(true).open("/dev/full").unwrap();
-    assert_eq!(place.command("suite serve", &[]).stdin(hello()).stdout(full).status().unwrap().code(), Some(2));
+    for mut serve in [place.command("suite serve", &[]), without_output(&place.command("suite serve", &[]))] {
+        let full = full.try_clone().unwrap();
+        assert_eq!(serve.stdin(hello()).stdout(full).status().unwrap().code(), Some(2));
+    }
     let mut child = place.command("suite serve", &[]).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
     drop(child.stdout.take());
     std::io::copy(&mut hello(), &mut child.stdin.take().unwrap()).unwrap();
@@ -133,7 +152,7 @@ fn a_place_that_cannot_be_written_is_refused_first() {
         }
     }
     stackless("suite export -o", &[Path::new("/proc")]).fails_naming(&["/proc: cannot be written"]);
-    assert_eq!(place.folder.names(), ["file", "folder", "rays.csv", "suite"]);
+    assert_eq!(place.folder.names(), ["file", "folder", "rays.csv", "record.json", "suite"]);
 }
 
 /// A disk that is full leaves the file as it was. It needs the right to mount one.
@@ -197,7 +216,7 @@ fn a_place_has_one_use() {
         twice,
     );
     assert_eq!(fs::read(cube).unwrap(), fs::read(CUBE).unwrap());
-    assert_eq!(place.folder.names(), ["cube.ply", "folder", "link", "rays.csv", "suite"]);
+    assert_eq!(place.folder.names(), ["cube.ply", "folder", "link", "rays.csv", "record.json", "suite"]);
 }
 
 /// A signal in the middle of writing leaves no temporary file, and the file as it was.
@@ -213,8 +232,9 @@ fn a_signal_leaves_no_temporary_file() {
         let mut child = command.arg("-o").arg(out.path("hits.csv")).spawn().unwrap();
         let start = Instant::now();
         // The first look at the place leaves one for a moment too: this is the one that grows.
-        let temporary = out.path(".stackless.0.tmp");
-        while fs::metadata(&temporary).map_or(0, |file| file.len()) == 0 {
+        let is_growing =
+            |name: &String| fs::metadata(out.path(name)).is_ok_and(|file| name != "hits.csv" && file.len() > 0);
+        while !out.names().iter().any(is_growing) {
             assert!(
                 child.try_wait().unwrap().is_none() && start.elapsed() < Duration::from_mins(2),
                 "not seen writing"

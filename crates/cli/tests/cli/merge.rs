@@ -106,7 +106,7 @@ fn what_is_not_one_run_is_refused() {
     refused(&[&a, &b, &stress], &["stress.json: "]);
     refused(&[&a, &b, &version], &["version.json: another version of the program than in "]);
     refused(&[&a, &broken], &["broken.json: no record: missing field `version`"]);
-    refused(&[&data("cube.ply")], &["cube.ply: "]);
+    refused(&[&data("cube.ply")], &["cube.ply: not JSON: ", "; expected a record"]);
     refused(&[&folder.path("none.json")], &["none.json: cannot be read"]);
     merge(&[b, a, c], &sum).passes();
 }
@@ -124,6 +124,82 @@ fn errors_of_a_part_are_those_of_the_sum() {
     assert!(run.stdout.contains("\nclaim: none, 3 of 20 cases went wrong\n"), "{run:?}");
     assert!(run.stdout.contains("tree 17: hashed, put aside"), "{run:?}");
     assert_eq!(run.first_line(), "FAIL: 20 trees, 0 rays, 2 methods, 3 disagreements");
+}
+
+/// The record of a run with one change, which `merge` then refuses, also where it draws.
+fn assert_refused(folder: &Folder, record: &Value, pointer: &str, changed: Value) {
+    let mut record = record.clone();
+    *record.pointer_mut(pointer).unwrap() = changed;
+    let file = folder.file("changed.json", record.to_string());
+    let run = stackless("merge --plot", &[&folder.path("plot.svg"), &file]);
+    assert_eq!(run.code, Some(2), "{pointer} {}: {run:?}", record.pointer(pointer).unwrap());
+    run.fails_naming(&["changed.json"]);
+}
+
+/// The places of all numbers but those that were asked.
+fn numbers(value: &Value, at: &str) -> Vec<String> {
+    let within = |(key, value): (String, &Value)| numbers(value, &format!("{at}/{key}"));
+    match value {
+        Value::Number(_) => vec![at.to_owned()],
+        Value::Array(values) => values.iter().enumerate().flat_map(|(i, v)| within((i.to_string(), v))).collect(),
+        Value::Object(values) => {
+            let counted = values.iter().filter(|(key, _)| *key != "asked");
+            counted.flat_map(|(key, v)| within((key.replace('/', "~1"), v))).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn counts_that_no_run_has_are_refused() {
+    let folder = Folder::new();
+    let of = |args: &str| {
+        let path = folder.path("record.json");
+        stackless(&format!("{args} --json"), &[&path]).passes();
+        read_json(&path)
+    };
+    let check = of("check --trees 25 --count 10 --method stack,hashed --shard 1/1");
+    let stress = of("stress --count 9 --cases edge,torus --method hashed --shard 1/1");
+    for record in [&check, &stress] {
+        for pointer in numbers(record, "") {
+            assert_refused(&folder, record, &pointer, u64::MAX.into());
+            assert_refused(&folder, record, &pointer, (-1).into());
+            assert_refused(&folder, record, &pointer, 1e308.into());
+        }
+    }
+    let totals = ["trees", "rays", "methods", "rows/0/cases", "rows/0/agree", "rows/0/refused"];
+    let totals = totals.map(|name| (&check, name)).into_iter().chain([(&stress, "rows/0/rays")]);
+    for (record, pointer) in totals.map(|(record, name)| (record, format!("/{name}"))) {
+        let number = record.pointer(&pointer).unwrap().as_u64().unwrap();
+        for changed in [Some(number + 1), number.checked_sub(1)].into_iter().flatten() {
+            assert_refused(&folder, record, &pointer, changed.into());
+        }
+    }
+    let rows = |record: &Value, change: fn(&mut Vec<Value>)| {
+        let mut rows = record["rows"].as_array().unwrap().clone();
+        change(&mut rows);
+        assert_refused(&folder, record, "/rows", rows.into());
+    };
+    for record in [&check, &stress] {
+        rows(record, |rows| rows.push(rows[0].clone()));
+    }
+    rows(&stress, |rows| drop(rows.remove(0)));
+    rows(&check, |rows| rows.iter_mut().for_each(|row| row["agree"] = 0.into()));
+    assert_refused(&folder, &check, "/pause_fault", serde_json::json!({"number": 17, "found": "hashed"}));
+}
+
+#[test]
+fn a_key_that_stands_twice_is_refused() {
+    let folder = Folder::new();
+    let path = folder.path("record.json");
+    stackless("check --trees 25 --method stack --json", &[&path]).passes();
+    let text = std::fs::read_to_string(path).unwrap();
+    for key in ["trees", "run", "seed", "command", "of", "method"] {
+        let doubled = text.replacen(&format!("\"{key}\": "), &format!("\"{key}\": null, \"{key}\": "), 1);
+        assert_ne!(doubled, text);
+        let file = folder.file("doubled.json", doubled);
+        stackless("merge", &[&file]).fails_naming(&["doubled.json: ", &format!("the key `{key}` stands twice")]);
+    }
 }
 
 #[test]

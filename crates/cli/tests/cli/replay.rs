@@ -53,8 +53,10 @@ fn what_is_not_a_case_is_refused() {
     stackless("check --replay", &[&folder.file("case.json", with("octant", 7.into()))]).passes();
     stackless("check --replay", &[&folder.path("missing.json")]).fails_naming(&["missing.json"]);
     let texts = [
-        (String::new(), "line 1"),
-        ("no json".to_owned(), "line 1"),
+        (String::new(), "not JSON: "),
+        ("# A page\n".to_owned(), "not JSON: "),
+        ("no json".to_owned(), "line 1 column 2; expected a replay: the line of JSON that `stackless check` prints"),
+        ("[1, 2, 3]".to_owned(), "not a replay: "),
         ("{\n\"children\": [null],\n\"cells\": 5}".to_owned(), "line 3"),
         (r#"{"children": [null]}"#.to_owned(), "cells"),
         (with("nosuch", 1.into()), "nosuch"),

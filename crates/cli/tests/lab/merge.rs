@@ -48,6 +48,28 @@ fn parts_add_up() {
 }
 
 #[test]
+fn counts_that_no_run_has_are_refused() {
+    let folder = Folder::new();
+    let path = folder.path("record.json");
+    for (args, pointers) in [
+        ("boxes 500", &["/rays", "/touched", "/skipped/2", "/in_vain/2"][..]),
+        ("accuracy soup --count 20", &["/rows/0/rays", "/rows/0/hits", "/rows/0/false_misses"]),
+        ("accuracy spheres --count 20", &["/rows/0/rays", "/rows/0/misses", "/rows/0/leaks"]),
+        ("accuracy --secondary soup --count 100", &["/rows/0/rays", "/rows/0/false_light"]),
+    ] {
+        lab(&format!("{args} --shard 1/1 --json"), &[&path]).passes();
+        let record = read_json(&path);
+        for pointer in pointers {
+            let mut changed = record.clone();
+            *changed.pointer_mut(pointer).unwrap() = 1_000_000.into();
+            let changed = folder.file("changed.json", changed.to_string());
+            lab("merge", &[&changed]).fails_naming(&["changed.json: ", ", expected"]);
+        }
+        lab("merge", &[&path]).passes();
+    }
+}
+
+#[test]
 fn parts_of_accuracy_have_no_times() {
     let folder = Folder::new();
     let [part, whole] = ["part.json", "whole.json"].map(|name| folder.path(name));

@@ -3,7 +3,7 @@
 use super::pairs::Pair;
 use super::timing::Time;
 use crate::judge::Counts;
-use crate::record::Numbered;
+use crate::record::{Numbered, Run, expect};
 use serde::{Deserialize, Serialize};
 
 /// What a set of rays is for.
@@ -104,6 +104,26 @@ impl Row {
     /// Without what does not add up: times, and quantiles and means of errors.
     pub(super) fn counts_alone(self) -> Self {
         Self { p999_ulp: None, mean_ulp: None, timed_rays: None, ns_per_ray: None, mrays: None, ratio: None, ..self }
+    }
+
+    /// Refuses counts that do not fit the parts of the run, or one another.
+    pub(super) fn check(&self, run: &Run) -> Result<(), String> {
+        let expect = |what, number, within| {
+            expect(&format!("{}, {}, {}, {}: {what}", self.scene, self.set, self.kernel, self.slabs), number, within)
+        };
+        // The parts of a sphere bear its name.
+        let of_sphere = run.done(|name| name == self.scene);
+        let rays = if run.parts.contains_key(&self.scene) {
+            of_sphere..=of_sphere
+        } else {
+            0..=run.done(|name| name == "rays of each kind")
+        };
+        expect("rays", self.rays, rays)?;
+        let errors = [self.false_misses, self.false_hits, self.wrong_primitives, self.order_differences];
+        for number in errors.into_iter().chain([self.hits, self.misses]).flatten() {
+            expect("hits, misses and errors", number, 0..=self.rays)?;
+        }
+        expect("leaks", self.leaks.unwrap_or(0), 0..=self.misses.unwrap_or(0))
     }
 
     /// Adds what another part has counted of the same.

@@ -126,7 +126,7 @@ pub(super) const EXACT: &str = "exact point";
 /// What one way to begin gets wrong.
 #[derive(Serialize, Deserialize)]
 pub(super) struct SecondaryRow {
-    scene: String,
+    pub(super) scene: String,
     pub(super) start: String,
     pub(super) rays: u64,
     /// In shadow, and should not be.

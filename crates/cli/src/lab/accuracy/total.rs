@@ -8,7 +8,7 @@ use super::secondary::{EXACT, SecondaryRow};
 use super::stages::Stages;
 use super::tables;
 use crate::output::{self, Block, count, say, table};
-use crate::record::{Counts, add_rows};
+use crate::record::{Counts, Run, add_rows, expect};
 
 /// What was measured.
 #[derive(Default, Serialize, Deserialize)]
@@ -40,6 +40,10 @@ impl Found {
 
 impl Counts for Found {
     const COMMAND: &str = "accuracy";
+
+    fn check(&self, run: &Run) -> Result<(), String> {
+        self.rows.iter().try_for_each(|row| row.check(run))
+    }
 
     fn add(&mut self, other: Self) {
         add_rows(&mut self.rows, other.rows, Row::is_same, Row::add);
@@ -77,6 +81,16 @@ pub(crate) struct SecondaryFound {
 impl Counts for SecondaryFound {
     const COMMAND: &str = "accuracy --secondary";
 
+    fn check(&self, run: &Run) -> Result<(), String> {
+        let expect = |row: &SecondaryRow, what, number, most| {
+            expect(&format!("{}, {}: {what}", row.scene, row.start), number, 0..=most)
+        };
+        self.rows.iter().try_for_each(|row| {
+            expect(row, "rays", row.rays, run.done(|_| true))?;
+            expect(row, "false_shadows and false_light", row.wrong(), row.rays)
+        })
+    }
+
     fn add(&mut self, other: Self) {
         add_rows(&mut self.rows, other.rows, SecondaryRow::is_same, SecondaryRow::add);
     }
@@ -96,7 +110,7 @@ impl Counts for SecondaryFound {
     /// Those of exact points.
     fn cases_and_errors(&self) -> [u64; 2] {
         let exact = self.rows.iter().filter(|row| row.start == EXACT);
-        exact.fold([0; 2], |[rays, errors], row| [rays + row.rays, errors + row.wrong()])
+        exact.fold([0_u64; 2], |sum, row| [sum[0].saturating_add(row.rays), sum[1].saturating_add(row.wrong())])
     }
 
     fn is_empty(&self) -> bool {
