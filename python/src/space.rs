@@ -9,7 +9,7 @@ use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
 use stackless_bvh::trace::{Boundary, Hit, Location, MeshQueries, Near, RayQueries, Rule, Solid, Tracer, Winding};
 
-use crate::errors::{failed, of_ray, of_refit, refused};
+use crate::errors::{failed, of_refit, refused};
 use crate::memory;
 
 /// A coordinate that arrays hold.

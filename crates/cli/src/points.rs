@@ -57,7 +57,7 @@ pub(crate) struct Nearest {
     #[arg(long, value_parser = rule())]
     signed: Option<Rule>,
     /// Search no farther than this. [default: no limit]
-    #[arg(long, value_name = "DISTANCE", value_parser = radius)]
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, value_parser = radius)]
     radius: Option<f64>,
     /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
     #[arg(long)]

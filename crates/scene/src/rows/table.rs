@@ -67,3 +67,6 @@ pub fn write_table<F: Float, const N: usize>(
         Format::Npy => npy::write(writer, columns, rows),
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests;
