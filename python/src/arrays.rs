@@ -49,12 +49,11 @@ impl<'py, S: Space> Rays<'py, S> {
         let (tmin, tmax) = (self.tmin.as_array(), self.tmax.as_array());
         let ray = |row: usize| {
             let vector = |array| S::Vector::from_components(row_of(array, row));
-            Ray::within(vector(&origins), vector(&directions), tmin[row], tmax[row])
+            let ray = Ray::within(vector(&origins), vector(&directions), tmin[row], tmax[row]);
+            ray.map_err(|error| of_ray(error, row))
         };
         // On all threads: while this one holds the interpreter's lock, nobody changes the arrays.
-        let all = threads.map(rows.clone(), |row| ray(row).ok());
-        // Of several errors the first.
-        all.map_or_else(|| rows.map(|row| ray(row).map_err(|error| of_ray(error, row))).collect(), Ok)
+        threads.map(rows, ray)
     }
 }
 

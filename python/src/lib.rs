@@ -6,6 +6,7 @@
 mod arrays;
 mod batch;
 mod errors;
+mod exact;
 mod file;
 mod inside;
 mod instances;
@@ -21,6 +22,8 @@ use pyo3::prelude::*;
 /// What the package is made of.
 #[pymodule]
 mod _native {
+    #[pymodule_export]
+    use crate::exact::ExactRays;
     #[pymodule_export]
     use crate::instances::Instances;
     #[pymodule_export]

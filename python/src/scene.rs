@@ -14,10 +14,11 @@ use stackless_scene::{SavedError, scene_from_bytes};
 use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
 use crate::batch::in_background;
 use crate::errors::refused;
+use crate::exact::ExactRays;
 use crate::memory::{self, room};
 use crate::space::{Double, Single, Space};
 use crate::threads::Threads;
-use crate::{file, inside, near, queries};
+use crate::{exact, file, inside, near, queries};
 
 /// A mesh with its hierarchy.
 #[pyclass(module = "stackless_bvh._native")]
@@ -217,6 +218,16 @@ impl Scene {
             let rays = Rays::new(rays.each_ref())?;
             object(py, queries::all::<S>(py, (&held.mesh, &held.bvh), &rays, progress.as_ref())?)
         })
+    }
+
+    /// The same rays, from which others can go on.
+    fn exact<'py>(&self, py: Python<'py>, rays: [Bound<'py, PyAny>; 4]) -> PyResult<ExactRays> {
+        either!(self, held, S => exact::of_rays::<S>(py, (&held.mesh, &held.bvh), &Rays::new(rays.each_ref())?))
+    }
+
+    /// Rays from points to others.
+    fn segments<'py>(&self, py: Python<'py>, ends: [Bound<'py, PyAny>; 2], closed: bool) -> PyResult<ExactRays> {
+        either!(self, held, S => exact::segments::<S>(py, (&held.mesh, &held.bvh), ends.each_ref(), closed))
     }
 
     fn crossings<'py>(

@@ -1,5 +1,7 @@
 //! What differs between scenes in single and in double precision.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use numpy::Element;
 use pyo3::exceptions::PyMemoryError;
@@ -7,7 +9,10 @@ use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
-use stackless_bvh::trace::{Boundary, Hit, Location, MeshQueries, Near, RayQueries, Rule, Solid, Tracer, Winding};
+use stackless_bvh::trace::{
+    Assembly, Boundary, Hit, InstanceTracer, Location, MeshQueries, Near, RayQueries, Rule, Solid, Tracer, Winding,
+};
+use stackless_bvh::traverse::Method;
 
 use crate::errors::{failed, of_refit, refused};
 use crate::memory;
@@ -50,6 +55,8 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     fn optimize(&mut self) -> PyResult<()>;
+    /// A tracer of exact rays through this mesh alone.
+    fn alone(self: &Arc<Self>) -> PyResult<InstanceTracer<Self::Vector>>;
     /// Memory, in bytes.
     fn bytes(&self) -> usize;
 
@@ -108,6 +115,12 @@ where
 
     fn optimize(&mut self) -> PyResult<()> {
         self.optimize().map_err(of_wide)
+    }
+
+    fn alone(self: &Arc<Self>) -> PyResult<InstanceTracer<V>> {
+        let mut assembly = Assembly::new();
+        let object = assembly.add_wide::<V>(Arc::clone(self));
+        InstanceTracer::new(&assembly, object, Method::default()).map_err(failed)
     }
 
     fn bytes(&self) -> usize {

@@ -54,14 +54,17 @@ impl Threads {
         }
     }
 
-    /// What `f` makes of each index, or none of that if it makes nothing of one.
-    pub(crate) fn map<A: Send>(&self, range: Range<usize>, f: impl Fn(usize) -> Option<A> + Sync) -> Option<Vec<A>> {
-        match &self.0 {
-            Some(pool) if range.len() > ROWS => {
-                pool.install(|| range.into_par_iter().with_min_len(ROWS).map(&f).collect())
-            }
-            _ => range.map(f).collect(),
-        }
+    /// Makes an item of each index. Of several errors it returns the first.
+    pub(crate) fn map<A: Send>(
+        &self,
+        range: Range<usize>,
+        f: impl Fn(usize) -> PyResult<A> + Sync,
+    ) -> PyResult<Vec<A>> {
+        let shared = self.0.as_ref().filter(|_| range.len() > ROWS).and_then(|pool| {
+            let range = range.clone().into_par_iter().with_min_len(ROWS);
+            pool.install(|| range.map(|index| f(index).ok()).collect())
+        });
+        shared.map_or_else(|| range.map(f).collect(), Ok)
     }
 }
 

@@ -15,8 +15,9 @@ corners included, is decided exactly. A distance is the float nearest to the exa
 the scene was built, nor on the number of threads.
 """
 
+from ._exact import ExactRays, Hits
 from ._instances import InstanceHits, Instances
-from ._results import AllHits, Hits, Near
+from ._results import AllHits, Near
 from ._scene import Scene
 
-__all__ = ["AllHits", "Hits", "InstanceHits", "Instances", "Near", "Scene"]
+__all__ = ["AllHits", "ExactRays", "Hits", "InstanceHits", "Instances", "Near", "Scene"]

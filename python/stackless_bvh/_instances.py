@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import array_of, numbers, rays
+from ._exact import Hits
 from ._inside import Progress
 from ._native import Instances as NativeInstances
-from ._results import Hits
 from ._scene import Scene
 
 

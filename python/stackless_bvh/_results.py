@@ -9,26 +9,6 @@ from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
-class Hits:
-    """The closest hit of each of n rays. Numbers are of the scene's dtype."""
-
-    t: NDArray[np.floating]
-    """Shape (n,): distances along the rays, in lengths of their directions; infinite for a miss."""
-    primitive: NDArray[np.int64]
-    """Shape (n,): rows of `faces`; -1 for a miss."""
-    uv: NDArray[np.floating]
-    """Shape (n, 2): weights of the face's second and third vertex; NaN for a miss."""
-
-    @property
-    def hit(self) -> NDArray[np.bool_]:
-        """Shape (n,): whether there is a hit."""
-        return self.primitive >= 0
-
-    def __len__(self) -> int:
-        return len(self.t)
-
-
-@dataclass(frozen=True)
 class AllHits:
     """All hits of n rays, by distance and then by face: those of ray i are rows offsets[i] to offsets[i + 1]."""
 

@@ -6,6 +6,7 @@ import operator
 import os
 import sys
 import warnings
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,11 +14,12 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _native
 from ._arrays import check_area, mesh_arrays, per_row, rays, rows
+from ._exact import Hits, Segments
 from ._inside import Inside, Progress
-from ._results import AllHits, Hits, Near
+from ._results import AllHits, Near
 
 
-class Scene(Inside):
+class Scene(Inside, Segments):
     """A triangle mesh with the hierarchy that makes queries fast. All answers are exact.
 
     Parameters
@@ -156,7 +158,8 @@ class Scene(Inside):
         >>> hits.t, hits.primitive, hits.uv[0]
         (array([ 2., inf]), array([ 0, -1]), array([0.25, 0.5 ]))
         """
-        return Hits(*self._native.closest(self._rays(origins, directions, tmin, tmax), progress))
+        native, asked = self._native, self._rays(origins, directions, tmin, tmax)
+        return Hits(*native.closest(asked, progress), _rays=partial(native.exact, asked))
 
     def any(
         self,

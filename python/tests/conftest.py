@@ -61,4 +61,5 @@ def same(a, b):
     def equal(x, y):
         return x is y is None or np.array_equal(x, y, equal_nan=x.dtype.kind == "f")
 
-    return vars(a).keys() == vars(b).keys() and all(equal(x, vars(b)[name]) for name, x in vars(a).items())
+    arrays = [{name: x for name, x in vars(it).items() if not name.startswith("_")} for it in (a, b)]
+    return arrays[0].keys() == arrays[1].keys() and all(equal(x, arrays[1][name]) for name, x in arrays[0].items())

@@ -1,0 +1,272 @@
+//! Rays that begin at exact points, those of hits or of floats, as a Python object. `[SECOND-1]`
+
+use std::sync::Arc;
+
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
+use pyo3::IntoPyObjectExt as _;
+use pyo3::prelude::*;
+use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Mesh, RayError, Triangle, Vector as _, check_environment};
+use stackless_bvh::trace::{Hit, InstanceHit, InstanceTracer, RayQueries};
+
+use crate::arrays::{Rays, check_aligned, numbers, points, row_of};
+use crate::batch::in_pieces;
+use crate::errors::{failed, listed, of_ray, refused};
+use crate::memory::room;
+use crate::queries::{Found, HitArrays, Progress};
+use crate::space::{Double, Single, Space};
+use crate::threads::{FEW, Threads, of_chunks};
+
+/// Rays over one mesh, with exact origins. A row may be without a ray: that of a hit that there was not.
+#[pyclass(frozen, module = "stackless_bvh._native")]
+pub(crate) struct ExactRays(Precision);
+
+enum Precision {
+    Single(Batch<Single>),
+    Double(Batch<Double>),
+}
+
+struct Batch<S: Space> {
+    mesh: Arc<Mesh<S::Vector>>,
+    tracer: Arc<InstanceTracer<S::Vector>>,
+    rays: Vec<Option<ExactRay<S::Vector>>>,
+}
+
+/// The same expression for either precision.
+macro_rules! either {
+    ($rays:expr, $batch:ident => $run:expr) => {
+        match &$rays.0 {
+            Precision::Single($batch) => $run,
+            Precision::Double($batch) => $run,
+        }
+    };
+}
+
+#[pymethods]
+impl ExactRays {
+    fn __len__(&self) -> usize {
+        either!(self, batch => batch.rays.len())
+    }
+
+    #[getter]
+    fn dtype(&self) -> &'static str {
+        match self.0 {
+            Precision::Single(_) => Single::DTYPE,
+            Precision::Double(_) => Double::DTYPE,
+        }
+    }
+
+    fn closest<'py>(&self, py: Python<'py>, progress: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        either!(self, batch => batch.closest(py, progress.as_ref())?.into_bound_py_any(py))
+    }
+
+    fn any<'py>(&self, py: Python<'py>, progress: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        either!(self, batch => batch.any(py, progress.as_ref()))
+    }
+
+    /// From the points at which the rays hit `primitives`, along `directions`. Open ends do not belong to the ray.
+    fn along<'py>(
+        &self,
+        py: Python<'py>,
+        primitives: PyReadonlyArray1<'py, i64>,
+        directions: &Bound<'py, PyAny>,
+        tmax: &Bound<'py, PyAny>,
+        closed: bool,
+    ) -> PyResult<Self> {
+        either!(self, batch => batch.along(py, &primitives, (directions, tmax), ends(closed)).map(|made| Self(made.into())))
+    }
+
+    /// From the points at which the rays hit `primitives` to `targets`.
+    fn toward<'py>(
+        &self,
+        py: Python<'py>,
+        primitives: PyReadonlyArray1<'py, i64>,
+        targets: &Bound<'py, PyAny>,
+        closed: bool,
+    ) -> PyResult<Self> {
+        either!(self, batch => batch.toward(py, &primitives, targets, ends(closed)).map(|made| Self(made.into())))
+    }
+}
+
+impl From<Batch<Single>> for Precision {
+    fn from(batch: Batch<Single>) -> Self {
+        Self::Single(batch)
+    }
+}
+
+impl From<Batch<Double>> for Precision {
+    fn from(batch: Batch<Double>) -> Self {
+        Self::Double(batch)
+    }
+}
+
+/// Rays of floats, whose ends belong to them.
+#[expect(private_bounds, reason = "`Precision` is of this module")]
+pub(crate) fn of_rays<'py, S: Space>(
+    py: Python<'py>,
+    (mesh, bvh): (&Arc<Mesh<S::Vector>>, &Arc<S>),
+    rays: &Rays<'py, S>,
+) -> PyResult<ExactRays>
+where
+    Precision: From<Batch<S>>,
+{
+    let mut made = room(rays.len())?;
+    let answer = |rays: Vec<_>| Ok(rays.iter().map(|ray| Some(ExactRay::from(ray))).collect::<Vec<_>>());
+    let keep = |_: &Threads, rays: Vec<_>| {
+        made.extend(rays);
+        Ok(())
+    };
+    in_pieces(py, (rays.len(), FEW), None, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays: made }.into()))
+}
+
+/// The rays from points of floats to others, at which `t` is 1 exactly.
+#[expect(private_bounds, reason = "`Precision` is of this module")]
+pub(crate) fn segments<'py, S: Space>(
+    py: Python<'py>,
+    (mesh, bvh): (&Arc<Mesh<S::Vector>>, &Arc<S>),
+    [from, to]: [&Bound<'py, PyAny>; 2],
+    closed: bool,
+) -> PyResult<ExactRays>
+where
+    Precision: From<Batch<S>>,
+{
+    let (from, to) = (points::<S>(from, "a")?, points::<S>(to, "b")?);
+    let (from, to) = (from.as_array(), to.as_array());
+    if from.nrows() != to.nrows() {
+        return Err(refused(format!("a has {} rows, and b {}", from.nrows(), to.nrows())));
+    }
+    let ray = |row: usize| {
+        let point = |array| ExactPoint::new(S::Vector::from_components(row_of(array, row)));
+        let ray = point(&from).and_then(|from| from.toward(&point(&to)?, ends(closed)));
+        ray.map(Some).map_err(|error| of_ends(error, row))
+    };
+    let mut made = room(from.nrows())?;
+    let keep = |_: &Threads, rays: Vec<_>| {
+        made.extend(rays);
+        Ok(())
+    };
+    let read = |threads: &Threads, rows| threads.map(rows, ray);
+    in_pieces(py, (from.nrows(), FEW), None, read, Ok, keep)?;
+    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays: made }.into()))
+}
+
+impl<S: Space> Batch<S> {
+    fn closest<'py>(&self, py: Python<'py>, progress: Progress<'_, 'py>) -> PyResult<HitArrays<'py, S::Real>> {
+        let mut found = Found::with_room(self.rays.len())?;
+        let hit = |ray: &ExactRay<S::Vector>| {
+            self.tracer.closest(ray).map(|InstanceHit { prim, t, u, v, .. }| Hit { prim, t, u, v })
+        };
+        self.each(py, progress, |ray| ray.and_then(hit), |hit| found.push(hit.as_ref()))?;
+        found.into_arrays(py)
+    }
+
+    fn any<'py>(&self, py: Python<'py>, progress: Progress<'_, 'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let mut found = room(self.rays.len())?;
+        self.each(py, progress, |ray| ray.is_some_and(|ray| self.tracer.any(ray)), |is_hit| found.push(is_hit))?;
+        Ok(found.into_pyarray(py))
+    }
+
+    /// Answers all rows, on all threads.
+    fn each<A: Send>(
+        &self,
+        py: Python<'_>,
+        progress: Progress<'_, '_>,
+        answer: impl Fn(Option<&ExactRay<S::Vector>>) -> A + Sync,
+        mut keep: impl FnMut(A),
+    ) -> PyResult<()> {
+        let answer = |rays: &[Option<ExactRay<S::Vector>>]| {
+            of_chunks(rays, FEW, |rays| {
+                check_environment().map_err(failed)?;
+                Ok(rays.iter().map(|ray| answer(ray.as_ref())).collect::<Vec<_>>())
+            })
+        };
+        let keep = |_: &Threads, answers: Vec<Vec<A>>| {
+            answers.into_iter().flatten().for_each(&mut keep);
+            Ok(())
+        };
+        in_pieces(py, (self.rays.len(), FEW), progress, |_, rows| Ok(&self.rays[rows]), answer, keep)
+    }
+
+    fn along<'py>(
+        &self,
+        py: Python<'py>,
+        primitives: &PyReadonlyArray1<'py, i64>,
+        (directions, tmax): (&Bound<'py, PyAny>, &Bound<'py, PyAny>),
+        ends: Ends,
+    ) -> PyResult<Self> {
+        let (directions, tmax) = (points::<S>(directions, "directions")?, numbers::<S>(tmax, "tmax")?);
+        let (directions, tmax) = (directions.as_array(), tmax.as_array());
+        self.check_rows([("directions", directions.nrows()), ("tmax", tmax.len())])?;
+        self.onward(py, primitives, |row, point| {
+            let ray = point.ray(S::Vector::from_components(row_of(&directions, row)), tmax[row], ends);
+            ray.map_err(|error| of_ray(error, row))
+        })
+    }
+
+    fn toward<'py>(
+        &self,
+        py: Python<'py>,
+        primitives: &PyReadonlyArray1<'py, i64>,
+        targets: &Bound<'py, PyAny>,
+        ends: Ends,
+    ) -> PyResult<Self> {
+        let targets = points::<S>(targets, "points")?;
+        let targets = targets.as_array();
+        self.check_rows([("points", targets.nrows())])?;
+        self.onward(py, primitives, |row, point| {
+            let target = ExactPoint::new(S::Vector::from_components(row_of(&targets, row)));
+            target.and_then(|target| point.toward(&target, ends)).map_err(|error| of_ends(error, row))
+        })
+    }
+
+    /// A ray of each hit, made of its row and its exact point.
+    fn onward<'py>(
+        &self,
+        py: Python<'py>,
+        primitives: &PyReadonlyArray1<'py, i64>,
+        next: impl Fn(usize, ExactPoint<S::Vector>) -> PyResult<ExactRay<S::Vector>> + Sync,
+    ) -> PyResult<Self> {
+        check_aligned(primitives.as_any(), "primitive")?;
+        let primitives = primitives.as_array();
+        self.check_rows([("primitive", primitives.len())])?;
+        let ray = |row: usize| {
+            let (Some(ray), Ok(prim)) = (&self.rays[row], usize::try_from(primitives[row])) else { return Ok(None) };
+            let lost =
+                || refused(format!("primitive[{row}]: the ray does not hit face {prim}; were its arrays changed?"));
+            if prim >= self.mesh.triangles().len() {
+                return Err(lost());
+            }
+            let point = ExactPoint::met(ray, &Triangle(self.mesh.triangle(prim))).ok_or_else(lost)?;
+            next(row, point).map(Some)
+        };
+        let mut rays = room(self.rays.len())?;
+        let keep = |_: &Threads, more: Vec<_>| {
+            rays.extend(more);
+            Ok(())
+        };
+        let read = |threads: &Threads, rows| threads.map(rows, ray);
+        in_pieces(py, (self.rays.len(), FEW), None, read, Ok, keep)?;
+        Ok(Self { mesh: Arc::clone(&self.mesh), tracer: Arc::clone(&self.tracer), rays })
+    }
+
+    fn check_rows<const N: usize>(&self, arrays: [(&str, usize); N]) -> PyResult<()> {
+        let count = self.rays.len();
+        match arrays.into_iter().find(|(_, rows)| *rows != count) {
+            Some((name, rows)) => Err(refused(format!("{name}: {rows} rows, expected {count}, one for each ray"))),
+            None => Ok(()),
+        }
+    }
+}
+
+const fn ends(closed: bool) -> Ends {
+    if closed { Ends::Closed } else { Ends::Open }
+}
+
+/// Two points that are no ray.
+fn of_ends(error: RayError, row: usize) -> PyErr {
+    match error {
+        RayError::ZeroDirection => refused(format!("row {row}: both ends are one point, expected two")),
+        RayError::Origin(point) => refused(format!("row {row}: {}, expected finite numbers", listed(point))),
+        other => of_ray(other, row),
+    }
+}
