@@ -204,7 +204,7 @@ impl Method {
 
     /// All traversals as a table in Markdown: the README's.
     pub fn markdown() -> String {
-        let head = "| name | by | needs beside the children | bytes of state, 32-bit keys |\n|---|---|---|---:|\n";
+        let head = "| name | by | additional requirements | bytes of state, 32-bit keys |\n|---|---|---|---:|\n";
         Self::ALL.into_iter().fold(String::from(head), |table, method| table + &method.markdown_row())
     }
 
