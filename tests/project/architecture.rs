@@ -218,11 +218,11 @@ fn rows<'t>(text: &'t str, heading: &str) -> Vec<Vec<&'t str>> {
     section.lines().filter(|line| line.starts_with('|')).skip(2).map(cells).collect()
 }
 
-/// The map of a ray's way is that of the code: each file has the function of its row, and names that of the next one.
+/// The table of a ray's path matches the code: each file has the function of its row, and names that of the next one.
 #[test]
-fn the_map_shows_the_way() {
+fn the_table_shows_the_path_of_a_ray() {
     let text = read(Path::new("ARCHITECTURE.md"));
-    let rows = rows(&text, "## A ray's way\n");
+    let rows = rows(&text, "## The path of a ray\n");
     let texts: Vec<_> = rows.iter().map(|row| code(&read(Path::new(row[1])))).collect();
     for (row, code) in rows.iter().zip(&texts) {
         assert!(code.contains(&format!("fn {}", row[0])), "{row:?}");
