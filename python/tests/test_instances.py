@@ -104,5 +104,8 @@ def test_an_instance_that_is_not_moved_has_the_answers_of_its_scene():
     directions[::2] = vertices[np.arange(1000) % len(vertices)] - origins[::2]
     hits, expected = instances.closest(origins, directions), scene.closest(origins, directions)
     assert expected.hit.sum() > 1000 and np.array_equal(hits.instance, np.where(expected.hit, 0, -1))
-    assert all(np.array_equal(getattr(hits, name), getattr(expected, name), equal_nan=True) for name in ("t", "primitive", "uv"))
+    assert all(
+        np.array_equal(getattr(hits, name), getattr(expected, name), equal_nan=True)
+        for name in ("t", "primitive", "uv")
+    )
     assert np.array_equal(instances.any(origins, directions), expected.hit)
