@@ -16,7 +16,7 @@ use crate::batch::in_background;
 use crate::errors::refused;
 use crate::exact::ExactRays;
 use crate::memory::{self, room};
-use crate::space::{Double, Single, Space};
+use crate::space::{Double, Single, Space, builder};
 use crate::threads::Threads;
 use crate::{exact, file, inside, near, queries};
 
@@ -174,10 +174,7 @@ impl Scene {
 
     /// The numbers of open edges, of unpaired ones and of repeated faces, and what is wrong with the first open edge.
     fn boundary(&self, py: Python<'_>) -> PyResult<(usize, usize, usize, Option<String>)> {
-        let boundary = match &self.held {
-            Either::Single(held) => held.boundary(py)?,
-            Either::Double(held) => held.boundary(py)?,
-        };
+        let boundary = either!(self, held, _S => held.boundary(py)?);
         let wrong = boundary.first.map(|edge| {
             let ([a, b], count) = (edge.ends, edge.faces);
             let faces = if count == 1 { "face" } else { "faces" };
@@ -299,10 +296,7 @@ impl Scene {
 
 impl Scene {
     fn triangles(&self) -> &[[u32; 3]] {
-        match &self.held {
-            Either::Single(held) => held.mesh.triangles(),
-            Either::Double(held) => held.mesh.triangles(),
-        }
+        either!(self, held, _S => held.mesh.triangles())
     }
 
     /// The mesh, if it is in single precision.
@@ -402,10 +396,4 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         let boundary = py.detach(|| threads.run(|| Boundary::of(&self.mesh)));
         Ok(self.boundary.get_or_init(|| boundary))
     }
-}
-
-/// A builder by its name.
-fn builder(build: &str) -> PyResult<Builder> {
-    let names = Builder::ALL.map(Builder::name).join(", ");
-    build.parse().map_err(|_| refused(format!("build: '{build}', expected one of {names}")))
 }

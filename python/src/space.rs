@@ -183,3 +183,9 @@ fn of_wide(error: WideError) -> PyErr {
         error => failed(error),
     }
 }
+
+/// A builder by its name.
+pub(crate) fn builder(build: &str) -> PyResult<Builder> {
+    let names = Builder::ALL.map(Builder::name).join(", ");
+    build.parse().map_err(|_| refused(format!("build: '{build}', expected one of {names}")))
+}
