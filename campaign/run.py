@@ -60,7 +60,7 @@ class Campaign:
 
 @dataclass(frozen=True)
 class Part:
-    """One part of a campaign: what a worker is asked. `version` is that of the program, with its commit if it has one."""
+    """One part of a campaign, for one worker. `version` is that of the program, with its commit if it has one."""
 
     program: str
     version: str
@@ -87,7 +87,7 @@ class Part:
                 raise ValueError(f"its {key} is {found.get(key)}, expected {expected}")
 
     def label(self) -> dict:
-        """What a record says of its campaign."""
+        """Returns the fields of a record that identify its campaign."""
         return {"command": list(self.command), "part": self.name}
 
     def has_record(self, path: Path) -> bool:
@@ -126,7 +126,7 @@ def run_part(part: Part) -> dict:
 
 
 def write(path: Path, value: dict) -> None:
-    """Writes a file as JSON, whole or not at all, whoever writes it at the same time."""
+    """Writes a file as JSON completely or not at all, also if several programs write it at the same time."""
     unfinished = path.with_name(f".{path.name}.{uuid4().hex}")
     try:
         with unfinished.open("x") as file:

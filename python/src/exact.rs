@@ -1,5 +1,6 @@
 //! Rays that begin at exact points, those of hits or of floats, as a Python object. `[SECOND-1]`
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
@@ -8,7 +9,7 @@ use pyo3::prelude::*;
 use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Mesh, RayError, Triangle, Vector as _, check_environment};
 use stackless_bvh::trace::{Hit, InstanceHit, InstanceTracer, RayQueries};
 
-use crate::arrays::{Rays, check_aligned, numbers, points, row_of};
+use crate::arrays::{Place, Rays, check_aligned, check_places, numbers, places, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, listed, of_ray, refused};
 use crate::memory::room;
@@ -109,14 +110,12 @@ pub(crate) fn of_rays<'py, S: Space>(
 where
     Precision: From<Batch<S>>,
 {
-    let mut made = room(rays.len())?;
-    let answer = |rays: Vec<_>| Ok(rays.iter().map(|ray| Some(ExactRay::from(ray))).collect::<Vec<_>>());
-    let keep = |_: &Threads, rays: Vec<_>| {
-        made.extend(rays);
-        Ok(())
+    let read = |threads: &Threads, rows| {
+        let rays = rays.chunk(threads, rows)?;
+        Ok(rays.iter().map(|ray| Some(ExactRay::from(ray))).collect())
     };
-    in_pieces(py, (rays.len(), FEW), None, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
-    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays: made }.into()))
+    let rays = gathered(py, rays.len(), &[], read)?;
+    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays }.into()))
 }
 
 /// The rays from points of floats to others, at which `t` is 1 exactly.
@@ -124,13 +123,13 @@ where
 pub(crate) fn segments<'py, S: Space>(
     py: Python<'py>,
     (mesh, bvh): (&Arc<Mesh<S::Vector>>, &Arc<S>),
-    [from, to]: [&Bound<'py, PyAny>; 2],
+    arrays: [&Bound<'py, PyAny>; 2],
     closed: bool,
 ) -> PyResult<ExactRays>
 where
     Precision: From<Batch<S>>,
 {
-    let (from, to) = (points::<S>(from, "a")?, points::<S>(to, "b")?);
+    let (from, to) = (points::<S>(arrays[0], "a")?, points::<S>(arrays[1], "b")?);
     let (from, to) = (from.as_array(), to.as_array());
     if from.nrows() != to.nrows() {
         return Err(refused(format!("a has {} rows, and b {}", from.nrows(), to.nrows())));
@@ -140,14 +139,26 @@ where
         let ray = point(&from).and_then(|from| from.toward(&point(&to)?, ends(closed)));
         ray.map(Some).map_err(|error| of_ends(error, row))
     };
-    let mut made = room(from.nrows())?;
-    let keep = |_: &Threads, rays: Vec<_>| {
-        made.extend(rays);
+    let places = places(from.nrows(), arrays, ["a", "b"])?;
+    let rays = gathered(py, from.nrows(), &places, |threads, rows| threads.map(rows, ray))?;
+    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays }.into()))
+}
+
+/// Reads all rows of arrays that stay in their places, piece by piece.
+fn gathered<T: Send>(
+    py: Python<'_>,
+    count: usize,
+    places: &[Place<'_>],
+    read: impl Fn(&Threads, Range<usize>) -> PyResult<Vec<T>>,
+) -> PyResult<Vec<T>> {
+    let mut all = room(count)?;
+    let read = |threads: &Threads, rows| check_places(places).and_then(|()| read(threads, rows));
+    let keep = |_: &Threads, more| {
+        all.extend(more);
         Ok(())
     };
-    let read = |threads: &Threads, rows| threads.map(rows, ray);
-    in_pieces(py, (from.nrows(), FEW), None, read, Ok, keep)?;
-    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays: made }.into()))
+    in_pieces(py, (count, FEW), None, read, Ok, keep)?;
+    Ok(all)
 }
 
 impl<S: Space> Batch<S> {
@@ -194,10 +205,12 @@ impl<S: Space> Batch<S> {
         (directions, tmax): (&Bound<'py, PyAny>, &Bound<'py, PyAny>),
         ends: Ends,
     ) -> PyResult<Self> {
+        let arrays = [primitives.as_any(), directions, tmax];
+        let places = places(self.rays.len(), arrays, ["primitive", "directions", "tmax"])?;
         let (directions, tmax) = (points::<S>(directions, "directions")?, numbers::<S>(tmax, "tmax")?);
         let (directions, tmax) = (directions.as_array(), tmax.as_array());
         self.check_rows([("directions", directions.nrows()), ("tmax", tmax.len())])?;
-        self.onward(py, primitives, |row, point| {
+        self.onward(py, primitives, &places, |row, point| {
             let ray = point.ray(S::Vector::from_components(row_of(&directions, row)), tmax[row], ends);
             ray.map_err(|error| of_ray(error, row))
         })
@@ -210,10 +223,11 @@ impl<S: Space> Batch<S> {
         targets: &Bound<'py, PyAny>,
         ends: Ends,
     ) -> PyResult<Self> {
+        let places = places(self.rays.len(), [primitives.as_any(), targets], ["primitive", "points"])?;
         let targets = points::<S>(targets, "points")?;
         let targets = targets.as_array();
         self.check_rows([("points", targets.nrows())])?;
-        self.onward(py, primitives, |row, point| {
+        self.onward(py, primitives, &places, |row, point| {
             let target = ExactPoint::new(S::Vector::from_components(row_of(&targets, row)));
             target.and_then(|target| point.toward(&target, ends)).map_err(|error| of_ends(error, row))
         })
@@ -224,6 +238,7 @@ impl<S: Space> Batch<S> {
         &self,
         py: Python<'py>,
         primitives: &PyReadonlyArray1<'py, i64>,
+        places: &[Place<'py>],
         next: impl Fn(usize, ExactPoint<S::Vector>) -> PyResult<ExactRay<S::Vector>> + Sync,
     ) -> PyResult<Self> {
         check_aligned(primitives.as_any(), "primitive")?;
@@ -239,13 +254,7 @@ impl<S: Space> Batch<S> {
             let point = ExactPoint::met(ray, &Triangle(self.mesh.triangle(prim))).ok_or_else(lost)?;
             next(row, point).map(Some)
         };
-        let mut rays = room(self.rays.len())?;
-        let keep = |_: &Threads, more: Vec<_>| {
-            rays.extend(more);
-            Ok(())
-        };
-        let read = |threads: &Threads, rows| threads.map(rows, ray);
-        in_pieces(py, (self.rays.len(), FEW), None, read, Ok, keep)?;
+        let rays = gathered(py, self.rays.len(), places, |threads, rows| threads.map(rows, ray))?;
         Ok(Self { mesh: Arc::clone(&self.mesh), tracer: Arc::clone(&self.tracer), rays })
     }
 

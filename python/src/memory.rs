@@ -5,7 +5,7 @@ use std::hint::black_box;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
-/// What is left for small allocations, which nobody checks. The allocator asks the system for a MiB at a time.
+/// Bytes that stay free for small allocations, which are not checked. The allocator asks the system for a MiB at a time.
 const SPARE: usize = 8 << 20;
 
 /// Fewer bytes than this are a small allocation.

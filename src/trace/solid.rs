@@ -104,8 +104,9 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn locate(&self, point: V) -> Result<Location, RayError> {
-        along(point, [1, 0, 0])?;
-        if self.boundary.exit(point.widen()).0 >= 0.0 {
+        let (length, exit) = self.boundary.exit(point.widen());
+        let ray = along(point, exit)?;
+        if length >= 0.0 {
             let zero = V::Real::ZERO;
             // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0
             // hits it.
@@ -115,7 +116,7 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
                 }
             }
         }
-        Ok(if self.is_inside(point)? { Location::Inside } else { Location::Outside })
+        Ok(if self.is_inside(&ray, length)? { Location::Inside } else { Location::Outside })
     }
 
     /// Measures how far a point is from the mesh: the float nearest to the exact distance, negative inside. It is 0 on
@@ -138,24 +139,31 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn signed_distance(&self, point: V) -> Result<V::Real, RayError> {
-        along(point, [1, 0, 0])?;
-        // A point that may be the origin of a ray may be the middle of a ball.
+        // `signed` refuses the points that cannot be the middle of a ball.
         let near = Ball::around(point).ok().and_then(|ball| self.tracer.nearest(&ball));
-        let distance = near.map_or(V::Real::INFINITY, |near| near.distance);
+        self.signed(point, near.map_or(V::Real::INFINITY, |near| near.distance))
+    }
+
+    /// Gives the distance of a point from the mesh its sign: negative inside. `[CLOSED-2]`
+    ///
+    /// # Errors
+    /// [`RayError`] for a point that is not finite.
+    pub fn signed(&self, point: V, distance: V::Real) -> Result<V::Real, RayError> {
+        let (length, exit) = self.boundary.exit(point.widen());
+        let ray = along(point, exit)?;
         // Points on the surface have the distance 0.
-        let is_inside = distance > V::Real::ZERO && self.is_inside(point)?;
+        let is_inside = distance > V::Real::ZERO && self.is_inside(&ray, length)?;
         Ok(if is_inside { V::Real::rounded(-distance.into()) } else { distance })
     }
 
-    /// Whether a point that is not on the surface is inside. Of a closed mesh all rays say the same, so that the shortest
-    /// path out of it is taken.
-    fn is_inside(&self, point: V) -> Result<bool, RayError> {
-        let (length, exit) = self.boundary.exit(point.widen());
+    /// Whether the origin of a ray, which is not on the surface, is inside. The ray leaves the bounds of the mesh after
+    /// the least length: of a closed mesh all rays say the same.
+    fn is_inside(&self, ray: &Ray<V>, length: f64) -> Result<bool, RayError> {
         Ok(match self.rule {
-            Rule::Winding => self.winding.number(point)? > 0.5,
+            Rule::Winding => self.winding.number(ray.origin())? > 0.5,
             _ if length < 0.0 => false,
-            Rule::Parity => self.tracer.crossings(&along(point, exit)?) % 2 == 1,
-            Rule::Nonzero => self.tracer.winding(&along(point, exit)?) != 0,
+            Rule::Parity => self.tracer.crossings(ray) % 2 == 1,
+            Rule::Nonzero => self.tracer.winding(ray) != 0,
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use stackless_bvh::bvh::WideError;
+use stackless_bvh::bvh::{WideBvh, WideError};
 use stackless_bvh::generate::Source;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Mesh, MeshError, RayError, Real as _};
@@ -117,11 +117,11 @@ impl Solids {
         &self,
         point: Point,
         mesh: &Mesh<V>,
-        tracer: &Tracer<stackless_bvh::bvh::WideBvh<8, V>, V>,
+        tracer: &Tracer<WideBvh<8, V>, V>,
         boundary: &Boundary,
     ) -> Result<Location, SolidFault> {
         let at = self.place::<V>(point);
-        let (number, is_on_surface) = self.winding(point);
+        let Around { covering, number, is_on_surface } = self.around(point);
         let distance = nearest(mesh, at, V::Real::INFINITY, 1).first().map_or(f64::INFINITY, |&(distance, _)| distance);
         let locate = |is_inside| match (is_on_surface, is_inside) {
             (true, _) => Location::Surface,
@@ -131,7 +131,7 @@ impl Solids {
         for rule in Rule::ALL {
             let solid = Solid::new(tracer, mesh, boundary, rule)?;
             let location = locate(match rule {
-                Rule::Parity => self.covering(point) % 2 == 1,
+                Rule::Parity => covering % 2 == 1,
                 Rule::Nonzero => number != 0,
                 Rule::Winding => number > 0,
             });
@@ -142,7 +142,7 @@ impl Solids {
         if !is_on_surface {
             expect("winding number", point, Winding::new(tracer, mesh, boundary).number(at)?, f64::from(number))?;
         }
-        Ok(locate(self.covering(point) % 2 == 1))
+        Ok(locate(covering % 2 == 1))
     }
 
     fn mesh<V: Precision>(&self) -> Result<Mesh<V>, MeshError> {
@@ -157,23 +157,30 @@ impl Solids {
         V::from_components(point.map(|x| V::Real::rounded((x + 4096 * self.shift) as f64 * scale)))
     }
 
-    /// How often the tetrahedra wind around a point, and whether it is on the surface of one.
-    fn winding(&self, point: Point) -> (i32, bool) {
-        let (mut number, mut is_on_surface) = (0, false);
+    fn around(&self, point: Point) -> Around {
+        let mut around = Around { covering: 0, number: 0, is_on_surface: false };
         for corners in &self.tetrahedra {
             match side(corners, point) {
-                Location::Inside => number += volume(corners).signum() as i32,
-                Location::Surface => is_on_surface = true,
+                Location::Inside => {
+                    around.covering += 1;
+                    around.number += volume(corners).signum() as i32;
+                }
+                Location::Surface => around.is_on_surface = true,
                 Location::Outside => {}
             }
         }
-        (number, is_on_surface)
+        around
     }
+}
 
-    /// How many tetrahedra have a point inside.
-    fn covering(&self, point: Point) -> usize {
-        self.tetrahedra.iter().filter(|corners| side(corners, point) == Location::Inside).count()
-    }
+/// The tetrahedra around a point.
+struct Around {
+    /// How many contain it inside.
+    covering: u32,
+    /// How often they wind around it.
+    number: i32,
+    /// Whether it is on the surface of one.
+    is_on_surface: bool,
 }
 
 fn expect<T: PartialEq + Debug>(what: &'static str, point: Point, found: T, expected: T) -> Result<(), SolidFault> {

@@ -64,6 +64,12 @@ impl<V: Position> Scene<V> {
         Ok(Self { name: stem.into_owned(), mesh: loaded.mesh, faces: loaded.faces })
     }
 
+    /// The number of a triangle in answers: its own, or that of its face in the file.
+    pub(crate) fn number(&self, prim: u32, of_face: bool) -> u32 {
+        let face = self.faces.get(prim as usize).filter(|_| of_face);
+        face.copied().unwrap_or(prim)
+    }
+
     /// How many triangles have no area.
     pub(crate) fn degenerate(&self) -> usize {
         let triangles = (0..self.mesh.triangles().len()).map(|i| Triangle(self.mesh.triangle(i)));

@@ -176,7 +176,7 @@ fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(),
 /// More than this a run does not count, nor take seconds. Every such integer is a float, too.
 const MOST: f64 = (1_u64 << 53) as f64;
 
-/// Refuses numbers that no run counts. What was asked may have any.
+/// Refuses numbers that no run counts. The field `asked` may have any numbers.
 fn check_numbers(value: &Value) -> Result<(), String> {
     match value {
         Value::Number(number) if number.as_f64().is_none_or(|number| !(0.0..=MOST).contains(&number)) => {

@@ -21,9 +21,8 @@ use crate::trace::in_chunks;
 
 /// Say which points are inside of a closed mesh.
 ///
-/// A point is a line of x,y,z; the answer is a line with its place: inside, surface or outside. Both are exact. JSON lines
-/// (.jsonl) hold the same: `{"point":[0,0,0]}` and `{"place":"inside"}`. `NumPy` arrays (.npy) hold rows of 3 floats, and
-/// records of place.
+/// A point is a line of x,y,z; the answer is a line with its exact place: inside, surface or outside. JSON lines (.jsonl)
+/// hold `{"point":[0,0,0]}` and `{"place":"inside"}`. `NumPy` arrays (.npy) hold rows of 3 floats, and records of place.
 #[derive(clap::Args)]
 #[command(
     override_usage = "stackless contains [OPTIONS] --points <FILE>\n       --output <FILE> <SCENE>",
@@ -56,7 +55,7 @@ pub(crate) struct Nearest {
     /// Give distances inside of the mesh a minus sign, by a rule. [default: no signs]
     #[arg(long, value_parser = rule())]
     signed: Option<Rule>,
-    /// Search no farther than this. [default: no limit]
+    /// Search no farther than this, rounded as points are. [default: no limit]
     #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, value_parser = radius)]
     radius: Option<f64>,
     /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
@@ -64,7 +63,7 @@ pub(crate) struct Nearest {
     faces: bool,
 }
 
-/// What both commands read, and where they write.
+/// The input files and the output of both commands.
 #[derive(clap::Args)]
 struct Input {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
@@ -94,7 +93,7 @@ impl Contains {
 
     fn answer<V: Precision + Position>(&self) -> Outcome {
         let asked = self.input.read::<V>()?;
-        let (tracer, boundary) = asked.prepare();
+        let (tracer, boundary) = (Tracer::new(&asked.bvh), Boundary::of(&asked.scene.mesh));
         let solid = asked.solid(&tracer, &boundary, self.rule)?;
         let places =
             in_chunks(&asked.points, |points| points.iter().map(|&Point(point)| solid.locate(point)).collect());
@@ -105,7 +104,7 @@ impl Contains {
             Location::Outside => "outside",
         };
         let rows = || places.iter().map(|place| [Cell::<V::Real>::Word(word(place))]);
-        self.input.write([Column::Word("place", "outside".len())], rows)?;
+        asked.write(&self.input.output, [Column::Word("place", "outside".len())], rows)?;
         let number = |place| places.iter().filter(|&&other| other == place).count();
         let [inside, surface] =
             [Location::Inside, Location::Surface].map(|place| output::grouped(number(place) as u64));
@@ -121,32 +120,29 @@ impl Nearest {
 
     fn answer<V: Precision + Position>(&self) -> Outcome {
         let asked = self.input.read::<V>()?;
-        let (tracer, boundary) = asked.prepare();
-        let solid = self.signed.map(|rule| asked.solid(&tracer, &boundary, rule)).transpose()?;
+        let tracer = Tracer::new(&asked.bvh);
+        let signed = self.signed.map(|rule| (rule, Boundary::of(&asked.scene.mesh)));
+        let solid = signed.as_ref().map(|(rule, boundary)| asked.solid(&tracer, boundary, *rule)).transpose()?;
         let radius = self.radius.map_or(V::Real::INFINITY, V::Real::rounded);
         let nearest = |&Point(point): &Point<V>| -> Result<Option<Found<V>>, String> {
             let ball = Ball::new(point, radius).map_err(|error| error.to_string())?;
             let Some(mut near) = tracer.nearest(&ball) else { return Ok(None) };
             let triangle = Triangle(asked.scene.mesh.triangle(near.prim as usize));
             let Some(foot) = Foot::of(&triangle, point) else { return Ok(None) };
-            if let Some(solid) = &solid
-                && near.distance > V::Real::ZERO
-                && solid.locate(point).map_err(|error| error.to_string())? == Location::Inside
-            {
-                near.distance = V::Real::rounded(-near.distance.into());
+            if let Some(solid) = &solid {
+                near.distance = solid.signed(point, near.distance).map_err(|error| error.to_string())?;
             }
             Ok(Some((near, foot)))
         };
         let found = in_chunks(&asked.points, |points| points.iter().map(nearest).collect());
         let found: Vec<_> = found.into_iter().collect::<Result<_, _>>()?;
-        let faces: &[u32] = if self.faces { &asked.scene.faces } else { &[] };
         let row = |found: &Option<Found<V>>| {
             let Some((near, foot)) = found else {
                 let mut miss = [Cell::Missing; 8];
                 miss[0] = Cell::Integer(-1);
                 return miss;
             };
-            let prim = faces.get(near.prim as usize).copied().unwrap_or(near.prim);
+            let prim = asked.scene.number(near.prim, self.faces);
             let ([x, y, z], [u, v]) = (near.point.components(), foot.weights);
             let [distance, x, y, z, u, v] = [near.distance, x, y, z, u, v].map(Cell::Number);
             [Cell::Integer(prim.into()), distance, x, y, z, u, v, Cell::Word(word(foot.place))]
@@ -155,7 +151,7 @@ impl Nearest {
         let [x, y, z, u, v] = ["x", "y", "z", "u", "v"].map(number);
         let distance = Column::Number("distance", f64::INFINITY);
         let columns = [Column::Integer("prim"), distance, x, y, z, u, v, Column::Word("place", "interior".len())];
-        self.input.write(columns, || found.iter().map(row))?;
+        asked.write(&self.input.output, columns, || found.iter().map(row))?;
         asked.say(&format!("{} found", output::grouped(found.iter().flatten().count() as u64)));
         Ok(true)
     }
@@ -177,36 +173,33 @@ struct Asked<V: Precision + Position> {
     scene: Scene<V>,
     bvh: WideBvh<8, V>,
     points: Vec<Point<V>>,
+    written_as: Format,
 }
 
 impl Input {
     fn read<V: Precision + Position>(&self) -> Result<Asked<V>, Box<dyn Error>> {
-        input::format_to_write(&self.output, self.format)?;
+        let written_as = input::format_to_write(&self.output, self.format)?;
         let (name, points) = input::rows::<Point<V>>(&self.points, input::format(&self.points, self.format)?)?;
         let scene = Scene::load(&self.scene)?;
         if let Some(note) = points.note(name, stackless_scene::size(&scene.mesh)) {
             output::warn(&note);
         }
         let bvh = build::wide_for_points(self.build, &scene)?;
-        Ok(Asked { scene, bvh, points: points.rows })
-    }
-
-    fn write<F: Float, const N: usize, I: ExactSizeIterator<Item = [Cell<F>; N]>>(
-        &self,
-        columns: [Column; N],
-        rows: impl Fn() -> I,
-    ) -> Result<(), Box<dyn Error>> {
-        let format = input::format(&self.output, self.format)?;
-        Ok(write_file(&self.output, |file| write_table(file, columns, rows(), format))?)
+        Ok(Asked { scene, bvh, points: points.rows, written_as })
     }
 }
 
 impl<V: Precision + Position> Asked<V> {
-    fn prepare(&self) -> (Tracer<&WideBvh<8, V>, V>, Boundary) {
-        (Tracer::new(&self.bvh), Boundary::of(&self.scene.mesh))
+    fn write<const N: usize, I: ExactSizeIterator<Item = [Cell<V::Real>; N]>>(
+        &self,
+        output: &Output,
+        columns: [Column; N],
+        rows: impl Fn() -> I,
+    ) -> Result<(), Box<dyn Error>> {
+        Ok(write_file(output, |file| write_table(file, columns, rows(), self.written_as))?)
     }
 
-    /// The solid by a rule, and a warning about faces that the rule makes of no effect.
+    /// Returns the solid by a rule, and warns of repeated faces that cancel out.
     fn solid<'s>(
         &'s self,
         tracer: &'s Tracer<&'s WideBvh<8, V>, V>,

@@ -65,8 +65,8 @@ pub(crate) struct Args {
     /// How exact the answers are to be; other than exact only with --single.
     #[arg(long, default_value = "exact", value_parser = input::accuracy())]
     accuracy: Accuracy,
-    /// What to find for each ray: the closest hit; any hit, which is faster; all hits, in order, one line each with the
-    /// number of the ray; or the number of crossings, which counts a closed mesh's edges and corners once.
+    /// Find the closest hit of each ray; any hit, which is faster; all hits in order, one line each with the number of
+    /// the ray; or the number of crossings of a closed mesh.
     #[arg(long, default_value = "closest", value_parser = input::names(Query::ALL, Query::name))]
     query: Query,
     /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
@@ -143,7 +143,8 @@ impl Args {
             output::warn(&note);
         }
         let Traced { method, answers } = trace(self, &scene, &rays.rows)?;
-        write_file(&self.output, |file| answers.write(file, written_as, self.numbers(&scene)))?;
+        let number = |prim| scene.number(prim, self.faces);
+        write_file(&self.output, |file| answers.write(file, written_as, number))?;
         let counts = format!("{}, {}", count(rays.rows.len() as u64, "ray"), answers.count());
         let precision = <V::Real as Float>::PRECISION;
         say!("{}: {counts}, by {method}, {}, in {precision} precision", scene.name, self.accuracy);
@@ -151,11 +152,6 @@ impl Args {
             say!("{note}");
         }
         Ok(true)
-    }
-
-    /// The number of each triangle in the answers, or none if it is its own.
-    fn numbers<'s, V: Position>(&self, scene: &'s Scene<V>) -> &'s [u32] {
-        if self.faces { &scene.faces } else { &[] }
     }
 
     fn in_single(&self, scene: &Scene, rays: &[Ray]) -> Result<Traced<f32>, Box<dyn Error>> {
@@ -270,13 +266,12 @@ fn hits<V: Vector>(
 }
 
 impl<F: Float> Answers<F> {
-    /// Writes a table. `numbers` has the number of each triangle, or none if it is its own.
-    fn write(&self, file: impl Write, format: Format, numbers: &[u32]) -> io::Result<()> {
+    /// Writes a table with a number for each triangle.
+    fn write(&self, file: impl Write, format: Format, number: impl Fn(u32) -> u32) -> io::Result<()> {
         let [u, v] = ["u", "v"].map(|name| Column::Number(name, f64::NAN));
         let [prim, t] = [Column::Integer("prim"), Column::Number("t", f64::INFINITY)];
         let cells = |hit: &Hit<F>| {
-            let prim = numbers.get(hit.prim as usize).copied().unwrap_or(hit.prim);
-            [Cell::Integer(prim.into()), Cell::Number(hit.t), Cell::Number(hit.u), Cell::Number(hit.v)]
+            [Cell::Integer(number(hit.prim).into()), Cell::Number(hit.t), Cell::Number(hit.u), Cell::Number(hit.v)]
         };
         match self {
             Self::Hits(hits) => {

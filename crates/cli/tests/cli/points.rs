@@ -17,14 +17,14 @@ fn run(command: &str, mesh: &str, input: &str) -> (Run, Folder, PathBuf) {
     (run, folder, out)
 }
 
-/// What a command writes.
+/// The output file of a command.
 fn answers(command: &str, mesh: &str, input: &str) -> String {
     let (run, _folder, out) = run(command, mesh, input);
     assert_eq!(run.code, Some(0), "{run:?}");
     std::fs::read_to_string(out).unwrap()
 }
 
-/// Why a command fails.
+/// The error of a command.
 fn refusal(command: &str, mesh: &str, input: &str) -> String {
     let (run, folder, _) = run(command, mesh, input);
     assert_eq!((run.code, folder.names()), (Some(2), vec!["in.csv".into(), "mesh.obj".into()]), "{run:?}");

@@ -12,7 +12,7 @@ pub enum Column {
     Integer(&'static str),
     /// Numbers, and what stands for a missing one in an array: infinity or NaN.
     Number(&'static str, f64),
-    /// Words of at most so many letters.
+    /// Words, and the length of the longest one in letters.
     Word(&'static str, usize),
 }
 
