@@ -5,7 +5,7 @@
 //! triangle has less than `min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to the same
 //! float of single precision, that is the answer. `[NEAR-1]` Else bounds of twice the digits tell it, which double
 //! precision always needs, `[NEAR-5]` or rational arithmetic. Where the nearest point is is asked only of what is found:
-//! intervals tell it, or the same two. `[NEAR-3]`
+//! doubles with bounds tell it, or the same two. `[NEAR-3]`
 //!
 //! # Rounding
 //!
@@ -21,6 +21,7 @@ mod cone;
 mod enclosure;
 mod foot;
 mod point;
+mod rough;
 
 pub use foot::Foot;
 pub(super) use foot::unit_normal;
@@ -30,6 +31,8 @@ use std::ops::RangeInclusive;
 use glam::{DVec3, Vec3};
 
 use self::enclosure::Enclosure;
+use self::point::Parts;
+use self::rough::Rough;
 use super::fine::Fine;
 use super::frame::{exponent_of, power_of_two};
 use super::truth::{self, Number, RBig};
@@ -56,19 +59,23 @@ pub struct Measure<V: Vector = Vec3> {
     /// Of boxes; bounds of the point there, and the unit of length.
     frame: Frame,
     in_frame: [DVec3; 2],
+    /// The same in single precision.
+    ends_in_frame: [Vec3; 2],
     unit: f64,
 }
 
 impl<V: Vector> Measure<V> {
     /// Measures from a point, which must be finite, up to a radius, included, which must not be negative or NaN.
     pub fn new(point: V, radius: V::Real) -> Self {
-        Self { point, radius, frame: Frame::IDENTITY, in_frame: [point.widen(); 2], unit: 1.0 }
+        Self::within(&Frame::IDENTITY, point, radius)
     }
 
     /// The same, for boxes in a frame. `[FRAME-1]`
     pub fn within(frame: &Frame, point: V, radius: V::Real) -> Self {
-        let (in_frame, unit) = (frame.ends(point.widen()), power_of_two(frame.exponent()));
-        Self { frame: *frame, in_frame, unit, ..Self::new(point, radius) }
+        let in_frame @ [least, most] = frame.ends(point.widen());
+        let ends = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
+        let ends_in_frame = [0, 1].map(|end| Vec3::from(ends.map(|ends| ends[end])));
+        Self { point, radius, frame: *frame, in_frame, ends_in_frame, unit: power_of_two(frame.exponent()) }
     }
 
     /// The point.
@@ -77,10 +84,8 @@ impl<V: Vector> Measure<V> {
     }
 
     /// Bounds of the point in the frame of boxes.
-    pub(crate) fn ends_in_frame(&self) -> [Vec3; 2] {
-        let [least, most] = self.in_frame;
-        let ends = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
-        [0, 1].map(|end| Vec3::from(ends.map(|ends| ends[end])))
+    pub(crate) const fn ends_in_frame(&self) -> [Vec3; 2] {
+        self.ends_in_frame
     }
 
     /// A distance in the units of the frame, rounded up.
@@ -103,6 +108,14 @@ impl<V: Vector> Measure<V> {
     /// A distance that rounds to more than `limit` may be left out.
     #[inline]
     pub fn distance(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
+        let bounds = self.bounds(triangle, limit)?;
+        self.certain(bounds.map(|bound| [bound, 0.0])).or_else(|| self.settle(triangle, bounds[1], limit))
+    }
+
+    /// Bounds of the distance, if it may be at most the radius and round to at most `limit`. Where double precision knows
+    /// none, the second is a NaN.
+    #[inline]
+    pub(crate) fn bounds(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<[f64; 2]> {
         let corners @ [a, b, c] = triangle.widen();
         // Its box is measured faster.
         if V::Real::rounded(self.least_distance(a.min(b).min(c), a.max(b).max(c))) > limit {
@@ -110,18 +123,13 @@ impl<V: Vector> Measure<V> {
         }
         let point = self.point.widen();
         let [near, far] = bounds(&corners.map(|corner| corner - point));
-        if near > self.radius.into() || V::Real::rounded(near) > limit {
-            return None;
-        }
-        if let Some(distance) = self.certain([[near, 0.0], [far, 0.0]]) {
-            return Some(distance);
-        }
-        self.settle(triangle, far, limit)
+        let is_beyond = near > self.radius.into() || V::Real::rounded(near) > limit;
+        (!is_beyond).then_some([near, far])
     }
 
     /// The distance that these bounds leave open. It is at most `far`, if that is a number.
     #[inline(never)]
-    fn settle(&self, triangle: &Triangle<V>, far: f64, limit: V::Real) -> Option<V::Real> {
+    pub(crate) fn settle(&self, triangle: &Triangle<V>, far: f64, limit: V::Real) -> Option<V::Real> {
         let near = cone::least_distance(&triangle.widen(), self.point.widen());
         if near > self.radius.into() || V::Real::rounded(near) > limit {
             return None;
@@ -136,15 +144,28 @@ impl<V: Vector> Measure<V> {
         self.fine(triangle).or_else(|| self.exact_distance(triangle))
     }
 
+    /// The [`distance`](Self::distance), which must be below the radius, and the [`nearest`](Self::nearest) point.
+    pub(crate) fn distance_and_nearest(&self, triangle: &Triangle<V>) -> (V::Real, V) {
+        let (corners, point) = (triangle.widen(), self.point.widen());
+        let parts = Parts::decided(&corners, point);
+        let foot = parts.and_then(|parts| parts.foot::<Fine>(&corners, point));
+        let distance = parts.zip(foot).and_then(|(parts, foot)| self.distance_of(parts, &corners, foot));
+        let distance = distance.or_else(|| self.exact_distance(triangle));
+        let nearest = foot.and_then(rounded).map_or_else(|| self.exact_nearest(triangle), V::from_components);
+        // That of a triangle beyond the radius is not asked.
+        (distance.unwrap_or(self.radius), nearest)
+    }
+
     /// The point of the triangle that is nearest, exact but for its coordinates: each is rounded once, to the nearest
     /// float, of two the even one. A zero is positive. `[NEAR-3]`
     ///
     /// NaN if a coordinate of the triangle is not finite.
     pub fn nearest(&self, triangle: &Triangle<V>) -> V {
         let (corners, point) = (triangle.widen(), self.point.widen());
-        let by_intervals = || rounded(point::enclose::<Interval>(&corners, point)?);
-        let by_more_digits = || rounded(point::enclose::<Fine>(&corners, point)?);
-        let coordinates = by_intervals().or_else(by_more_digits);
+        let parts = Parts::decided(&corners, point);
+        let by_doubles = || rounded(parts?.foot::<Rough>(&corners, point)?);
+        let by_more_digits = || rounded(parts?.foot::<Fine>(&corners, point)?);
+        let coordinates = by_doubles().or_else(by_more_digits);
         coordinates.map_or_else(|| self.exact_nearest(triangle), V::from_components)
     }
 
@@ -178,7 +199,7 @@ impl<V: Vector> Measure<V> {
 
     /// The distance that bounds settle: all between rounds to it, and is within the radius.
     #[inline]
-    fn certain(&self, bounds: [[f64; 2]; 2]) -> Option<V::Real> {
+    pub(crate) fn certain(&self, bounds: [[f64; 2]; 2]) -> Option<V::Real> {
         V::Real::between(bounds).filter(|&distance| distance < self.radius)
     }
 
@@ -190,8 +211,15 @@ impl<V: Vector> Measure<V> {
             // With any radius about it, no bounds tell that it is 0.
             return Some(V::Real::default());
         }
-        let place = point::enclose::<Fine>(&corners, point)?;
-        self.certain(point::square(place, point)?.root()?.bounds())
+        let parts = Parts::decided(&corners, point)?;
+        self.distance_of(parts, &corners, parts.foot(&corners, point)?)
+    }
+
+    /// The distance of a foot.
+    fn distance_of(&self, parts: Parts, corners: &[DVec3; 3], foot: [Fine; 3]) -> Option<V::Real> {
+        let point = self.point.widen();
+        let height = || parts.only()?.height(corners, point);
+        self.certain(height().or_else(|| point::square(foot, point)?.root())?.bounds())
     }
 
     #[cold]

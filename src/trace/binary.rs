@@ -230,7 +230,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> RayQueri
 impl<T, K, B, V> MeshQueries<V> for BinaryTracer<T, K, B>
 where
     T: Borrow<Bvh<Triangle<V>>>,
-    K: Parity<Vector = V, Shape = Triangle<V>>,
+    K: Parity<Vector = V>,
     B: Slabs<Vector = V>,
     V: Vector,
 {
@@ -243,7 +243,13 @@ where
     }
 
     fn winding(&self, ray: &Ray<V>) -> i32 {
-        self.run_shared(ray.octant(), Crossings::<K, B>::over(PreparedRay::new(self.bvh(), ray)).with_signs()).winding()
+        let query = Crossings::<K, B>::over(PreparedRay::new(self.bvh(), ray)).with_signs(true);
+        self.run_shared(ray.octant(), query).winding()
+    }
+
+    fn crossings_off_surface(&self, ray: &Ray<V>, signed: bool) -> Option<i32> {
+        let query = Crossings::<K, B>::over(PreparedRay::new(self.bvh(), ray)).with_signs(signed);
+        self.run_shared(ray.octant(), query.watching(ray.origin())).off_surface()
     }
 
     fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>> {

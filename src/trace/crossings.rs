@@ -5,11 +5,12 @@ use std::collections::HashSet;
 
 use super::leaf_primitives::{LeafFilter, LeafPrimitives};
 use super::prepared_ray::PreparedRay;
+use super::winding::vector;
 use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Parity, Real};
 use crate::geom::slabs::{Directed, Slabs64};
-use crate::geom::{Aabb, Kernel, Once, Ray, Real as _, Slabs};
+use crate::geom::{Aabb, Kernel, Once, Ray, Real as _, Region, Slabs, Vector as _};
 use crate::order::{Descent, Flow, Pruned, Visitor};
 use crate::tree::Node;
 
@@ -149,12 +150,14 @@ impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for AllHitsQuery<'_, K, B
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Crossings<'a, K: Kernel = Exact, B = Directed, H = Bvh<<K as Kernel>::Shape>> {
+pub struct Crossings<'a, K: Parity = Exact, B = Directed, H = Bvh<<K as Kernel>::Shape>> {
     pub(super) cast: PreparedRay<'a, K, B, H>,
     repeats: Repeats,
     count: u32,
     /// The sum of senses, if it is wanted.
     winding: Option<i32>,
+    /// The origin, as long as no triangle is known that it is on, if that is asked.
+    off_surface: Option<K::Vector>,
 }
 
 impl<'a> Crossings<'a> {
@@ -167,12 +170,22 @@ impl<'a> Crossings<'a> {
 impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
     pub(super) fn over(cast: PreparedRay<'a, K, B, H>) -> Self {
         let repeats = Repeats::new(cast.bvh.has_repeats());
-        Self { cast, repeats, count: 0, winding: None }
+        Self { cast, repeats, count: 0, winding: None, off_surface: None }
     }
 
-    /// The same with signs, for [`winding`](Self::winding).
-    pub(super) fn with_signs(self) -> Self {
-        Self { winding: Some(0), ..self }
+    /// The same with signs, for [`winding`](Self::winding), or without.
+    pub(super) fn with_signs(self, signed: bool) -> Self {
+        Self { winding: signed.then_some(0), ..self }
+    }
+
+    /// The same for a ray from a point that may be on a triangle.
+    pub(super) fn watching(self, origin: K::Vector) -> Self {
+        Self { off_surface: Some(origin), ..self }
+    }
+
+    /// The sum of signs if it is wanted, else the count; unless the origin that was watched is on a triangle that has an area.
+    pub(super) fn off_surface(&self) -> Option<i32> {
+        self.off_surface.map(|_| self.winding.unwrap_or(self.count as i32))
     }
 
     /// How often the ray leaves the solid, less how often it enters: the winding number of its origin, if the mesh is
@@ -197,8 +210,13 @@ impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
     where
         B: LeafFilter<H, K::Shape, Real<K>>,
     {
-        let Self { cast: PreparedRay { bvh, kernel, slabs, end }, repeats, count, winding } = self;
+        let Self { cast: PreparedRay { bvh, kernel, slabs, end }, repeats, count, winding, off_surface } = self;
         slabs.for_each_left(bvh, leaf, *end, |_, shape, prim| {
+            if let Some(origin) = *off_surface
+                && is_on::<K>(origin, shape, bvh.region())
+            {
+                *off_surface = None;
+            }
             if kernel.is_crossing(shape) && repeats.is_new(prim) {
                 *count += 1;
                 if let Some(sum) = winding {
@@ -232,6 +250,22 @@ impl<K: Parity, B: Slabs<Vector = K::Vector>> BoxQuery for Crossings<'_, K, B> {
     fn slot(&self, node: Node) -> usize {
         self.cast.slot(node)
     }
+}
+
+/// Whether a point is on a triangle that has an area. The plane of that is not parallel to all axes, so a ray of length 0
+/// along one of them hits it.
+#[inline]
+fn is_on<K: Parity>(point: K::Vector, triangle: &K::Shape, region: &Region) -> bool {
+    let ([a, b, c], p) = (triangle.widen(), point.widen());
+    // Few are so near.
+    a.min(b).min(c).cmple(p).all() && p.cmple(a.max(b).max(c)).all() && touches::<K>(point, triangle, region)
+}
+
+#[cold]
+fn touches<K: Parity>(point: K::Vector, triangle: &K::Shape, region: &Region) -> bool {
+    let zero = Real::<K>::ZERO;
+    let rays = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|axis| Ray::within(point, vector(axis), zero, zero));
+    rays.iter().flatten().any(|ray| K::new(ray, region).blocks(triangle))
 }
 
 /// The triangles that were met so far, where a triangle may be in several leaves.

@@ -70,6 +70,10 @@ pub trait MeshQueries<V: Vector> {
     /// ```
     fn winding(&self, ray: &Ray<V>) -> i32;
 
+    /// Counts the [`crossings`](Self::crossings) of a ray, or with `signed` sums their signs, as [`winding`](Self::winding) does.
+    /// `None` if the origin is on a triangle that has an area, exactly; the ray must begin at its origin. `[CLOSED-2]`
+    fn crossings_off_surface(&self, ray: &Ray<V>, signed: bool) -> Option<i32>;
+
     /// Finds the point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]` Exact,
     /// whatever the tests for rays are.
     fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>>;

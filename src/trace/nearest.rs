@@ -34,28 +34,74 @@ pub struct Near<V: Vector = Vec3> {
 #[derive(Clone, Debug)]
 pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
     pub(super) around: Around<'a, H, V>,
-    /// Where the best triangle is in the hierarchy. Distance and index are those of the limit.
-    found: Option<usize>,
+    best: Option<Best>,
+}
+
+/// The nearest triangle so far.
+#[derive(Clone, Copy, Debug)]
+struct Best {
+    prim: u32,
+    /// Where it is in the hierarchy.
+    place: usize,
+    /// At most its distance, as long as that is open: then it is less than that of any other, and at most the limit. Most
+    /// are replaced before their digits are asked for.
+    open: Option<f64>,
 }
 
 impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
     /// Prepares a search.
     pub fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
-        Self { around: Around::new(bvh, ball), found: None }
+        Self { around: Around::new(bvh, ball), best: None }
     }
 
     /// What is nearest, after the traversal.
     pub fn near(&self) -> Option<Near<V>> {
-        let Limit { distance, prim } = self.around.limit;
-        Some(self.around.near(prim, distance, self.found?))
+        let Best { prim, place, open } = self.best?;
+        if open.is_none() {
+            return Some(self.around.near(prim, self.around.limit.distance, place));
+        }
+        let (distance, point) = self.around.measure.distance_and_nearest(&self.around.bvh.shape(place));
+        Some(Near { prim, distance, point })
     }
 
     pub(super) fn meet(&mut self, leaf: Node) {
-        let Self { around, found } = self;
-        around.meet(leaf, |near, place| {
-            *found = Some(place);
-            Some(near)
+        let bvh = self.around.bvh;
+        bvh.for_each(leaf, |place, shape, prim| {
+            if let Some(bounds) = self.around.bounds(shape, prim) {
+                self.compare(bounds, shape, Best { prim, place, open: None });
+            }
         });
+    }
+
+    fn compare(&mut self, bounds: [f64; 2], shape: &Triangle<V>, new: Best) {
+        let most = V::Real::rounded(bounds[1]);
+        // Not so for a NaN.
+        if !self.best.and_then(|best| best.open).is_none_or(|open| most < V::Real::rounded(open)) {
+            self.settle();
+        }
+        let Around { measure, limit, .. } = &mut self.around;
+        let certain = measure.certain(bounds.map(|bound| [bound, 0.0]));
+        if certain.is_none() && most < limit.distance {
+            *limit = Limit { distance: most, prim: u32::MAX };
+            self.best = Some(Best { open: Some(bounds[0]), ..new });
+            return;
+        }
+        let Some(distance) = certain.or_else(|| measure.settle(shape, bounds[1], limit.end(new.prim))) else { return };
+        let near = Limit { distance, prim: new.prim };
+        if near < *limit {
+            *limit = near;
+            self.best = Some(new);
+        }
+    }
+
+    /// Finds the distance of the best triangle, if it is open.
+    fn settle(&mut self) {
+        let Around { bvh, measure, limit } = &mut self.around;
+        if let Some(Best { prim, place, open: open @ Some(_) }) = &mut self.best
+            && let Some(distance) = measure.distance(&bvh.shape(*place), limit.distance)
+        {
+            (*limit, *open) = (Limit { distance, prim: *prim }, None);
+        }
     }
 }
 
@@ -96,8 +142,15 @@ pub(super) struct Around<'a, H, V: Vector = Vec3> {
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Limit<R> {
     pub(super) distance: R,
-    /// Greater than any index as long as the distance is the radius.
+    /// Greater than any index as long as the distance is the radius, or open.
     prim: u32,
+}
+
+impl<R: Real> Limit<R> {
+    /// The greatest distance of a triangle that does not come after it.
+    fn end(&self, prim: u32) -> R {
+        if prim > self.prim { self.distance.next_down() } else { self.distance }
+    }
 }
 
 impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
@@ -134,13 +187,18 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
         near > distance || near == distance && prim < u32::MAX && self.bvh.least_below(child) > prim
     }
 
+    /// Bounds of the distance of a triangle that may come before the limit.
+    #[inline]
+    fn bounds(&self, shape: &Triangle<V>, prim: u32) -> Option<[f64; 2]> {
+        self.measure.bounds(shape, self.limit.end(prim))
+    }
+
     /// Shows the triangles of a leaf that come before the limit: each with its place in the hierarchy. The answer is the
     /// new limit, if there is one.
     fn meet(&mut self, leaf: Node, mut found: impl FnMut(Limit<V::Real>, usize) -> Option<Limit<V::Real>>) {
         let Self { bvh, measure, limit } = self;
         bvh.for_each(leaf, |place, shape, prim| {
-            let end = if prim > limit.prim { limit.distance.next_down() } else { limit.distance };
-            if let Some(distance) = measure.distance(shape, end)
+            if let Some(distance) = measure.distance(shape, limit.end(prim))
                 && let near = (Limit { distance, prim })
                 && near < *limit
             {

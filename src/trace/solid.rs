@@ -1,8 +1,8 @@
 //! Inside and outside: which points are in the solid that a closed mesh bounds.
 
-use super::winding::{along, vector};
-use super::{Boundary, MeshQueries, OpenEdge, RayQueries, Winding};
-use crate::geom::{Ball, Mesh, Ray, RayError, Real as _, Vector};
+use super::winding::along;
+use super::{Boundary, MeshQueries, OpenEdge, Winding};
+use crate::geom::{Ball, Mesh, RayError, Real as _, Vector};
 
 /// How crossings of a closed mesh tell inside from outside.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -84,7 +84,7 @@ pub struct Solid<'t, T, V: Vector> {
     winding: Winding<'t, T, V>,
 }
 
-impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
+impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// The solid of a mesh by a rule; `tracer` and `boundary` must be made of the mesh.
     ///
     /// # Errors
@@ -105,18 +105,19 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// [`RayError`] for a point that is not finite.
     pub fn locate(&self, point: V) -> Result<Location, RayError> {
         let (length, exit) = self.boundary.exit(point.widen());
+        // It leaves the bounds soonest: of a closed mesh all rays say the same.
         let ray = along(point, exit)?;
-        if length >= 0.0 {
-            let zero = V::Real::ZERO;
-            // The plane of a triangle with an area is not parallel to all three axes, so one of these rays of length 0
-            // hits it.
-            for axis in [[1, 0, 0], [0, 1, 0], [0, 0, 1]] {
-                if self.tracer.any(&Ray::within(point, vector(axis), zero, zero)?) {
-                    return Ok(Location::Surface);
-                }
-            }
-        }
-        Ok(if self.is_inside(&ray, length)? { Location::Inside } else { Location::Outside })
+        let crossings = |signed| if length < 0.0 { Some(0) } else { self.tracer.crossings_off_surface(&ray, signed) };
+        let is_inside = match self.rule {
+            Rule::Parity => crossings(false).map(|count| count % 2 == 1),
+            Rule::Nonzero => crossings(true).map(|winding| winding != 0),
+            Rule::Winding => self.winding.off_surface(point)?.map(|number| number > 0.5),
+        };
+        Ok(match is_inside {
+            None => Location::Surface,
+            Some(true) => Location::Inside,
+            Some(false) => Location::Outside,
+        })
     }
 
     /// Measures how far a point is from the mesh: the float nearest to the exact distance, negative inside. It is 0 on
@@ -149,22 +150,9 @@ impl<'t, T: RayQueries<Ray<V>> + MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn signed(&self, point: V, distance: V::Real) -> Result<V::Real, RayError> {
-        let (length, exit) = self.boundary.exit(point.widen());
-        let ray = along(point, exit)?;
         // Points on the surface have the distance 0.
-        let is_inside = distance > V::Real::ZERO && self.is_inside(&ray, length)?;
+        let is_inside = distance > V::Real::ZERO && self.locate(point)? == Location::Inside;
         Ok(if is_inside { V::Real::rounded(-distance.into()) } else { distance })
-    }
-
-    /// Whether the origin of a ray, which is not on the surface, is inside. The ray leaves the bounds of the mesh after
-    /// the least length: of a closed mesh all rays say the same.
-    fn is_inside(&self, ray: &Ray<V>, length: f64) -> Result<bool, RayError> {
-        Ok(match self.rule {
-            Rule::Winding => self.winding.number(ray.origin())? > 0.5,
-            _ if length < 0.0 => false,
-            Rule::Parity => self.tracer.crossings(ray) % 2 == 1,
-            Rule::Nonzero => self.tracer.winding(ray) != 0,
-        })
     }
 }
 

@@ -234,9 +234,19 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> MeshQueries<V> for Tracer<T, V> {
     fn winding(&self, ray: &Ray<V>) -> i32 {
         let bvh = self.bvh();
         with_baseline!(simd => {
-            let mut query = Crossings::over(PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh))).with_signs();
+            let mut query = Crossings::over(PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh))).with_signs(true);
             self.run_shared(&mut query);
             query.winding()
+        })
+    }
+
+    fn crossings_off_surface(&self, ray: &Ray<V>, signed: bool) -> Option<i32> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+            let mut query = Crossings::over(cast).with_signs(signed).watching(ray.origin());
+            self.run_shared(&mut query);
+            query.off_surface()
         })
     }
 

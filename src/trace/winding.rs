@@ -84,6 +84,18 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn number(&self, point: V) -> Result<f64, RayError> {
+        let (ray, fan) = self.ray_and_fan(point)?;
+        Ok(f64::from(self.tracer.winding(&ray)) + fan)
+    }
+
+    /// The same, unless the point is on a triangle that has an area.
+    pub(super) fn off_surface(&self, point: V) -> Result<Option<f64>, RayError> {
+        let (ray, fan) = self.ray_and_fan(point)?;
+        Ok(self.tracer.crossings_off_surface(&ray, true).map(|winding| f64::from(winding) + fan))
+    }
+
+    /// A ray from a point, and what the fan from its opposite adds to the number of crossings.
+    fn ray_and_fan(&self, point: V) -> Result<(Ray<V>, f64), RayError> {
         let fan = |e: [i8; 3]| self.fan(point.widen(), DVec3::from(e.map(f64::from)));
         let (_, exit) = self.boundary.exit(point.widen());
         let mut best = (fan(exit), exit);
@@ -97,7 +109,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
             }
         }
         let (fan, e) = best;
-        Ok(f64::from(self.tracer.winding(&along(point, e)?)) + fan.number)
+        Ok((along(point, e)?, fan.number))
     }
 
     /// The fan from the opposite of the direction `e`, as seen from a point.

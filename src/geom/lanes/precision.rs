@@ -14,7 +14,7 @@ use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 /// Positions in single or in double precision, as wide trees need them. The boxes of both are in single precision.
 pub trait Precision: Vector {
     /// The exact test.
-    type Exact: Parity<Vector = Self, Shape = Triangle<Self>>;
+    type Exact: Parity<Vector = Self>;
     /// The test of boxes in binary trees that goes with it.
     type Slabs: Slabs<Vector = Self>;
     /// Four coordinates.

@@ -3,8 +3,9 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::RANGE;
-use crate::geom::Interval;
+use super::rough::{self, Rough};
 use crate::geom::fine::Fine;
+use crate::geom::kernel::two_sum;
 
 /// All numbers within bounds. Sums, differences and products hold those of all numbers that the operands hold.
 pub(super) trait Enclosure:
@@ -29,41 +30,38 @@ pub(super) trait Enclosure:
     fn bounds(self) -> [[f64; 2]; 2];
 }
 
-impl Enclosure for Interval {
+impl Enclosure for Rough {
     #[inline]
     fn of(x: f64) -> Option<Self> {
-        Some(Self::exact(x))
+        (x == 0.0 || rough::RANGE.contains(&x.abs())).then_some(Self::exact(x))
     }
 
     #[inline]
     fn is_negative(self) -> bool {
-        self.ends()[1] < 0.0
+        self.middle + self.radius < 0.0
     }
 
     #[inline]
     fn is_positive(self) -> bool {
-        self.ends()[0] > 0.0
+        self.middle - self.radius > 0.0
     }
 
     #[inline]
     fn share(self, whole: Self) -> Self {
-        let ([part_lo, part_hi], [whole_lo, whole_hi]) = (self.ends(), whole.ends());
-        if whole_lo <= 0.0 {
-            return Self::between([0.0, 1.0]);
-        }
-        let (lo, hi) = ((part_lo.max(0.0) / whole_hi).next_down(), (part_hi / whole_lo).next_up());
-        Self::between([lo.max(0.0), hi.min(1.0)])
+        let quotient = self.over(whole);
+        // Not so for a NaN.
+        if quotient.radius < 0.5 { quotient } else { Self { middle: 0.5, radius: 0.5 } }
     }
 
     #[inline]
     fn hull(self, other: Self) -> Self {
-        let ([lo, hi], [other_lo, other_hi]) = (self.ends(), other.ends());
-        Self::between([lo.min(other_lo), hi.max(other_hi)])
+        let apart = other + Self::exact(-self.middle);
+        Self { radius: self.radius.max(apart.reach()), ..self }
     }
 
     #[inline]
     fn bounds(self) -> [[f64; 2]; 2] {
-        self.ends().map(|end| [end, 0.0])
+        [-self.radius, self.radius].map(|radius| two_sum(self.middle, radius).into())
     }
 }
 

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::point;
-use super::{Enclosure, Fine, Interval, RBig, Real, Triangle, Vector, truth};
+use super::point::{self, Part, Parts};
+use super::{Enclosure, Fine, RBig, Real, Rough, Triangle, Vector, truth};
 use crate::geom::truth::{Number as _, Place};
 
 /// Where on a triangle the point is that is nearest to another point.
@@ -37,14 +37,16 @@ impl<R: Real> Foot<R> {
         if corners.iter().chain([&wide]).any(|v| !v.is_finite()) {
             return None;
         }
-        let by_intervals = || rounded(point::weigh::<Interval>(&corners, wide)?);
-        let by_more_digits = || rounded(point::weigh::<Fine>(&corners, wide)?);
-        by_intervals().or_else(by_more_digits).or_else(|| exact(triangle, point))
+        let part = Parts::decided(&corners, wide).and_then(Parts::only);
+        let by_doubles = || rounded::<Rough, R>(part?, &corners, wide);
+        let by_more_digits = || rounded::<Fine, R>(part?, &corners, wide);
+        by_doubles().or_else(by_more_digits).or_else(|| exact(triangle, point))
     }
 }
 
-fn rounded<E: Enclosure, R: Real>(([u, v], place): ([E; 2], Place)) -> Option<Foot<R>> {
-    Some(Foot { place, weights: [R::between(u.bounds())?, R::between(v.bounds())?] })
+fn rounded<E: Enclosure, R: Real>(part: Part, corners: &[DVec3; 3], point: DVec3) -> Option<Foot<R>> {
+    let [u, v] = part.weights::<E>(corners, point)?;
+    Some(Foot { place: part.place(), weights: [R::between(u.bounds())?, R::between(v.bounds())?] })
 }
 
 #[cold]

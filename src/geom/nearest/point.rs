@@ -5,94 +5,183 @@
 //! whose certificate holds is the nearest. Where bounds leave a certificate open, its point is taken as well: all
 //! are in the box of those points, and so is the nearest one. A triangle without area has no plane: the certificates of
 //! its corners, and of the edges with a length, are enough. `[NEAR-3]`
+//!
+//! Doubles decide nearly all certificates. Then twice the digits are spent on one foot, and not on seven.
 
 use glam::DVec3;
 
 use super::enclosure::Enclosure;
+use super::rough::Rough;
+use crate::geom::fine::Fine;
 use crate::geom::kernel::is_degenerate;
 use crate::geom::truth::Place;
 
 type Vector<E> = [E; 3];
 
-/// What holds the nearest point of a triangle. `None` where bounds leave open whether it has an area, and it has one, or
-/// where a number is not taken.
-pub(super) fn enclose<E: Enclosure>(corners: &[DVec3; 3], point: DVec3) -> Option<Vector<E>> {
-    let mut all = Hull(None);
-    candidates(corners, point, &mut all)?;
-    all.0
+/// A part of a triangle, by the indices of its corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Part {
+    Vertex(usize),
+    Edge([usize; 2]),
+    Interior,
 }
 
-/// Bounds the weights of the second and the third corner in the nearest point, and finds the part of the triangle that has
-/// it. `None` also where the bounds do not decide the part.
-///
-/// On the border of two parts both certificates hold. So a single certificate that may hold decides the part.
-/// `[NEAR-9]`
-pub(super) fn weigh<E: Enclosure>(corners: &[DVec3; 3], point: DVec3) -> Option<([E; 2], Place)> {
-    let mut only = Only(None, 0);
-    candidates(corners, point, &mut only)?;
-    let Only(found, count) = only;
-    found.filter(|_| count == 1)
-}
+/// The parts that may have the nearest point of a triangle: at least one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parts([bool; 7]);
 
-/// Gets the candidates for the nearest point: all whose certificates may hold.
-trait Candidates<E> {
-    fn add(&mut self, part: Place, weights: impl FnOnce() -> [E; 2], point: impl FnOnce() -> Vector<E>);
+impl Part {
+    const ALL: [Self; 7] = [
+        Self::Vertex(0),
+        Self::Vertex(1),
+        Self::Vertex(2),
+        Self::Edge([0, 1]),
+        Self::Edge([0, 2]),
+        Self::Edge([1, 2]),
+        Self::Interior,
+    ];
 
-    /// Adds one unless one of its conditions, numbers that are not negative, is known to fail.
-    #[inline]
-    fn add_if<const N: usize>(
-        &mut self,
-        is_one: bool,
-        conditions: [E; N],
-        part: Place,
-        weights: impl FnOnce() -> [E; 2],
-        point: impl FnOnce() -> Vector<E>,
-    ) where
-        E: Enclosure,
-    {
-        if is_one && !conditions.into_iter().any(Enclosure::is_negative) {
-            self.add(part, weights, point);
+    pub(super) const fn place(self) -> Place {
+        match self {
+            Self::Vertex(_) => Place::Vertex,
+            Self::Edge(_) => Place::Edge,
+            Self::Interior => Place::Interior,
+        }
+    }
+
+    /// Bounds the weights of the second and the third corner in the foot on this part. `None` where a number is not taken.
+    pub(super) fn weights<E: Enclosure>(self, corners: &[DVec3; 3], point: DVec3) -> Option<[E; 2]> {
+        let mut weights = [E::of(0.0)?; 3];
+        match self {
+            Self::Vertex(corner) => weights[corner] = E::of(1.0)?,
+            Self::Edge([from, to]) => {
+                weights[to] = share([corners[from], corners[to]], point)?;
+                if from > 0 {
+                    weights[from] = share([corners[to], corners[from]], point)?;
+                }
+            }
+            Self::Interior => {
+                let seen = Seen::<E>::from(corners, point)?;
+                weights[1..].copy_from_slice(&seen.heights().map(|height| height.share(seen.area)));
+            }
+        }
+        let [_, u, v] = weights;
+        Some([u, v])
+    }
+
+    /// The distance of the foot on a plane across an axis, of which many parts have some. It may be in the middle between two
+    /// floats, where only what is exact tells to which it rounds.
+    pub(super) fn height(self, &[a, b, c]: &[DVec3; 3], point: DVec3) -> Option<Fine> {
+        let axis = (0..3).find(|&k| a[k] == b[k] && a[k] == c[k]).filter(|_| self == Self::Interior)?;
+        let way = <Fine as Enclosure>::of(point[axis])? - <Fine as Enclosure>::of(a[axis])?;
+        Some(if way.middle() < 0.0 { -way } else { way })
+    }
+
+    /// What holds the foot on this part, likewise.
+    pub(super) fn foot<E: Enclosure>(self, corners: &[DVec3; 3], point: DVec3) -> Option<Vector<E>> {
+        match self {
+            Self::Vertex(corner) => exact(corners[corner]),
+            Self::Edge(edge) => {
+                let ends = edge.map(|corner| corners[corner]);
+                let [from, to] = [exact::<E>(ends[0])?, exact(ends[1])?];
+                Some(along(from, minus(to, from), share(ends, point)?))
+            }
+            Self::Interior => {
+                let ([u, v], a) = (self.weights(corners, point)?, exact::<E>(corners[0])?);
+                let [b, c] = [minus(exact(corners[1])?, a), minus(exact(corners[2])?, a)];
+                Some(along(along(a, b, u), c, v))
+            }
         }
     }
 }
 
-#[inline]
-fn candidates<E: Enclosure>(corners: &[DVec3; 3], point: DVec3, all: &mut impl Candidates<E>) -> Option<()> {
-    let &[a, b, c] = corners;
-    let has_length = [a != b, a != c, b != c];
-    let [a, corner_b, corner_c, p] = [exact::<E>(a)?, exact(b)?, exact(c)?, exact(point)?];
-    let [b, c, s] = [corner_b, corner_c, p].map(|x| minus(x, a));
-    let (bb, bc, cc) = (dot(b, b), dot(b, c), dot(c, c));
-    let normal = cross(b, c);
-    let area = dot(normal, normal);
-    let has_area = area.is_positive();
-    if !has_area && !is_degenerate(corners) {
-        return None;
+impl Parts {
+    /// The parts whose certificates may hold. `None` where bounds leave open whether the triangle has an area, and it has
+    /// one, or where a number is not taken.
+    #[inline]
+    pub(super) fn certified<E: Enclosure>(corners: &[DVec3; 3], point: DVec3) -> Option<Self> {
+        let seen = Seen::<E>::from(corners, point)?;
+        let has_area = seen.area.is_positive();
+        if !has_area && !is_degenerate(corners) {
+            return None;
+        }
+        let Seen { bb, bc, cc, d1, d2, area } = seen;
+        // Along the edges from `a`, `b` and `c`, as they are in Ericson 2005, 5.1.5.
+        let ((d3, d4), (d5, d6)) = ((d1 - bb, d2 - bc), (d1 - bc, d2 - cc));
+        let [of_b, of_c] = seen.heights();
+        let of_a = area - of_b - of_c;
+        let (from_b, from_c) = (d4 - d3, d5 - d6);
+        let [a, b, c] = corners;
+        // They hold if none of these is negative.
+        let certificates = [
+            (true, [-d1, -d2, -d2]),
+            (true, [d3, -from_b, -from_b]),
+            (true, [d6, -from_c, -from_c]),
+            (a != b, [-of_c, d1, -d3]),
+            (a != c, [-of_b, d2, -d6]),
+            (b != c, [-of_a, from_b, from_c]),
+            (has_area, [of_a, of_b, of_c]),
+        ];
+        Some(Self(certificates.map(|(is_part, numbers)| is_part && !numbers.into_iter().any(Enclosure::is_negative))))
     }
-    // Along the edges from `a`, `b` and `c`, as they are in Ericson 2005, 5.1.5.
-    let (d1, d2) = (dot(b, s), dot(c, s));
-    let (d3, d4) = (d1 - bb, d2 - bc);
-    let (d5, d6) = (d1 - bc, d2 - cc);
-    let (of_b, of_c) = (cc * d1 - bc * d2, bb * d2 - bc * d1);
-    let of_a = area - of_b - of_c;
-    let (from_b, from_c) = (d4 - d3, d5 - d6);
-    let [zero, one] = [E::of(0.0)?, E::of(1.0)?];
-    let vertex = Place::Vertex;
-    all.add_if(true, [-d1, -d2], vertex, || [zero, zero], || a);
-    all.add_if(true, [d3, -from_b], vertex, || [one, zero], || corner_b);
-    all.add_if(true, [d6, -from_c], vertex, || [zero, one], || corner_c);
-    let edge = Place::Edge;
-    let share = || d1.share(bb);
-    all.add_if(has_length[0], [-of_c, d1, -d3], edge, || [share(), zero], || along(a, b, share()));
-    let share = || d2.share(cc);
-    all.add_if(has_length[1], [-of_b, d2, -d6], edge, || [zero, share()], || along(a, c, share()));
-    let share = || from_b.share(from_b + from_c);
-    let weights = || [from_c.share(from_b + from_c), share()];
-    all.add_if(has_length[2], [-of_a, from_b, from_c], edge, weights, || along(corner_b, minus(c, b), share()));
-    let weights = || [of_b.share(area), of_c.share(area)];
-    let point = || along(along(a, b, of_b.share(area)), c, of_c.share(area));
-    all.add_if(has_area, [of_a, of_b, of_c], Place::Interior, weights, point);
-    Some(())
+
+    /// The same, by doubles if these leave one, else by twice the digits.
+    pub(super) fn decided(corners: &[DVec3; 3], point: DVec3) -> Option<Self> {
+        let by_doubles = Self::certified::<Rough>(corners, point);
+        by_doubles.filter(|parts| parts.only().is_some()).or_else(|| Self::certified::<Fine>(corners, point))
+    }
+
+    /// The part, if it is one. On the border of two parts both certificates hold, so this has the nearest point. `[NEAR-9]`
+    pub(super) fn only(self) -> Option<Part> {
+        let mut parts = self.iter();
+        parts.next().filter(|_| parts.next().is_none())
+    }
+
+    /// What holds the nearest point.
+    pub(super) fn foot<E: Enclosure>(self, corners: &[DVec3; 3], point: DVec3) -> Option<Vector<E>> {
+        let mut feet = self.iter().map(|part| part.foot::<E>(corners, point));
+        let first = feet.next()??;
+        feet.try_fold(first, |all, foot| foot.map(|foot| [0, 1, 2].map(|k| all[k].hull(foot[k]))))
+    }
+
+    fn iter(self) -> impl Iterator<Item = Part> {
+        Part::ALL.into_iter().zip(self.0).filter_map(|(part, is_one)| is_one.then_some(part))
+    }
+}
+
+/// Products of the edges `b` and `c` and of the way to the query point, seen from the first corner.
+struct Seen<E> {
+    bb: E,
+    bc: E,
+    cc: E,
+    d1: E,
+    d2: E,
+    /// The square of twice the area.
+    area: E,
+}
+
+impl<E: Enclosure> Seen<E> {
+    #[inline]
+    fn from(&[a, b, c]: &[DVec3; 3], point: DVec3) -> Option<Self> {
+        let a = exact(a)?;
+        let [b, c, s] = [minus(exact(b)?, a), minus(exact(c)?, a), minus(exact(point)?, a)];
+        let area = square_length(cross(b, c));
+        Some(Self { bb: dot(b, b), bc: dot(b, c), cc: dot(c, c), d1: dot(b, s), d2: dot(c, s), area })
+    }
+
+    /// The weights of the second and of the third corner in the foot on the plane, times the area.
+    #[inline]
+    fn heights(&self) -> [E; 2] {
+        let &Self { bb, bc, cc, d1, d2, .. } = self;
+        [cc * d1 - bc * d2, bb * d2 - bc * d1]
+    }
+}
+
+/// The weight of the second end in the foot on an edge.
+fn share<E: Enclosure>([from, to]: [DVec3; 2], point: DVec3) -> Option<E> {
+    let from: Vector<E> = exact(from)?;
+    let (edge, way) = (minus(exact(to)?, from), minus(exact(point)?, from));
+    Some(dot(edge, way).share(dot(edge, edge)))
 }
 
 /// What holds the squares of the distances of a point.
@@ -108,26 +197,6 @@ pub(super) fn square_length<E: Enclosure>(way: Vector<E>) -> E {
 pub(super) fn normal<E: Enclosure>(&[a, b, c]: &[DVec3; 3]) -> Option<Vector<E>> {
     let [a, b, c] = [exact::<E>(a)?, exact(b)?, exact(c)?];
     Some(cross(minus(b, a), minus(c, a)))
-}
-
-/// The least box of points.
-struct Hull<E>(Option<Vector<E>>);
-
-impl<E: Enclosure> Candidates<E> for Hull<E> {
-    #[inline]
-    fn add(&mut self, _: Place, _: impl FnOnce() -> [E; 2], point: impl FnOnce() -> Vector<E>) {
-        let point = point();
-        self.0 = Some(self.0.map_or(point, |all| std::array::from_fn(|k| all[k].hull(point[k]))));
-    }
-}
-
-/// The last candidate, and how many there are.
-struct Only<E>(Option<([E; 2], Place)>, u32);
-
-impl<E: Enclosure> Candidates<E> for Only<E> {
-    fn add(&mut self, part: Place, weights: impl FnOnce() -> [E; 2], _: impl FnOnce() -> Vector<E>) {
-        *self = Self(Some((weights(), part)), self.1 + 1);
-    }
 }
 
 #[inline]

@@ -21,7 +21,7 @@ use super::{Exact, Exact64};
 use crate::geom::{Kernel, Triangle};
 
 /// A triangle test that can count crossings.
-pub trait Parity: Kernel {
+pub trait Parity: Kernel<Shape = Triangle<<Self as Kernel>::Vector>> {
     /// [`Exact::crosses`], in either precision. `[PARITY-1]`
     fn is_crossing(&self, shape: &Self::Shape) -> bool;
 

@@ -14,12 +14,16 @@ fn compare<V: Vector>(triangle: &Triangle<V>, point: V) -> [bool; 2] {
     let [_, u, v] = weights.map(|weight| V::Real::nearest(&weight));
     let expected = Foot { place, weights: [u, v] };
     let (corners, p) = (triangle.widen(), point.widen());
-    let by_intervals = point::weigh::<Interval>(&corners, p).and_then(rounded::<_, V::Real>);
-    let by_digits = point::weigh::<Fine>(&corners, p).and_then(rounded);
-    for found in [by_intervals, by_digits, Foot::of(triangle, point)].into_iter().flatten() {
+    let by_doubles = weighed::<Rough, V>(&corners, p);
+    let by_digits = weighed::<Fine, V>(&corners, p);
+    for found in [by_doubles, by_digits, Foot::of(triangle, point)].into_iter().flatten() {
         assert_eq!(found, expected, "{triangle:?} {point:?}");
     }
-    [by_intervals.is_some(), by_intervals.or(by_digits).is_some()]
+    [by_doubles.is_some(), by_doubles.or(by_digits).is_some()]
+}
+
+fn weighed<E: Enclosure, V: Vector>(corners: &[DVec3; 3], point: DVec3) -> Option<Foot<V::Real>> {
+    rounded::<E, V::Real>(Parts::certified::<E>(corners, point)?.only()?, corners, point)
 }
 
 fn check_feet<V: Vector>() -> [usize; 2] {

@@ -3,8 +3,8 @@ use glam::Vec3;
 use super::*;
 use crate::generate::{Rng, Source};
 use crate::geom::fine::Fine;
-use crate::geom::nearest::tests::{bits, narrow, square, true_point};
-use crate::geom::nearest::{Measure, rounded};
+use crate::geom::nearest::Measure;
+use crate::geom::nearest::tests::{bits, enclosed, narrow, square, true_point};
 use crate::geom::{Real, Triangle, Vector as Point, truth};
 
 /// Corners on a line in any order, of which two or all may be equal: of any size, and of double precision far away, too.
@@ -38,7 +38,7 @@ fn check_flat<V: Point>() -> [usize; 2] {
         assert_eq!(bits(measure.nearest(&triangle)), nearest, "{triangle:?} {point:?}");
         let fine = measure.fine(&triangle);
         assert!(fine.is_none_or(|fine| fine == truth), "{triangle:?} {point:?}");
-        let placed = enclose::<Fine>(&triangle.widen(), point.widen()).and_then(rounded);
+        let placed = enclosed::<Fine, V>(&triangle.widen(), point.widen());
         assert!(placed.is_none_or(|placed| bits(V::from_components(placed)) == nearest), "{triangle:?} {point:?}");
         settled[0] += usize::from(fine.is_some());
         settled[1] += usize::from(placed.is_some());
