@@ -90,6 +90,8 @@ pub mod wide;
 #[cfg(feature = "rays")]
 pub mod bvh;
 #[cfg(feature = "rays")]
+mod environment;
+#[cfg(feature = "rays")]
 pub mod geom;
 mod threads;
 #[cfg(feature = "rays")]

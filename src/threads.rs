@@ -19,7 +19,7 @@ pub(crate) use floats::guarded;
 mod floats {
     use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-    use crate::geom::{EnvironmentError, check_environment};
+    use crate::environment::{EnvironmentError, check_environment};
 
     /// How many tasks were begun on threads whose floats are of no use, by the reason.
     static UNFIT: [(EnvironmentError, AtomicUsize); 2] =
