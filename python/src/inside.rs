@@ -10,7 +10,7 @@ use stackless_bvh::trace::{Boundary, Location, Rule};
 use crate::arrays::{check_places, places, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, listed, refused};
-use crate::memory::room;
+use crate::memory::{self, room};
 use crate::queries::Progress;
 use crate::space::Space;
 use crate::threads::{FEW, Threads, of_chunks};
@@ -37,7 +37,7 @@ pub(crate) fn contains<'py, S: Space>(
         Location::Surface => surface,
         Location::Outside => false,
     };
-    let (mesh, bvh, boundary) = solid;
+    let (mesh, bvh, boundary) = with_room(solid)?;
     let answer = |points: &[_]| Ok(bvh.locate(mesh, boundary, rule, points)?.into_iter().map(is_in).collect());
     of_points::<S, _>(py, points, answer, progress)
 }
@@ -50,7 +50,7 @@ pub(crate) fn signed_distances<'py, S: Space>(
     rule: Rule,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<S::Real>>> {
-    let (mesh, bvh, boundary) = solid;
+    let (mesh, bvh, boundary) = with_room(solid)?;
     let answer = |points: &[_]| bvh.signed_distances(mesh, boundary, rule, points);
     of_points::<S, _>(py, points, answer, progress)
 }
@@ -60,10 +60,17 @@ pub(crate) fn winding_numbers<'py, S: Space>(
     py: Python<'py>,
     solid: Solid<'_, S>,
     points: &Bound<'py, PyAny>,
+    tolerance: f64,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (mesh, bvh, boundary) = solid;
-    of_points::<S, _>(py, points, |points| bvh.windings(mesh, boundary, points), progress)
+    let (mesh, bvh, boundary) = with_room(solid)?;
+    of_points::<S, _>(py, points, |points| bvh.windings(mesh, boundary, tolerance, points), progress)
+}
+
+/// Checks that there is memory for the hierarchy of the border, which the first point makes: more than was seen to be in use.
+fn with_room<S: Space>(solid: Solid<'_, S>) -> PyResult<Solid<'_, S>> {
+    let (_, _, boundary) = solid;
+    memory::check(512 * boundary.borders.len()).map(|()| solid)
 }
 
 /// An answer for each point.

@@ -257,11 +257,12 @@ impl Scene {
         &self,
         py: Python<'py>,
         points: &Bound<'py, PyAny>,
+        tolerance: f64,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
             let solid = (&*held.mesh, &*held.bvh, held.boundary(py)?);
-            object(py, inside::winding_numbers::<S>(py, solid, points, progress.as_ref())?)
+            object(py, inside::winding_numbers::<S>(py, solid, points, tolerance, progress.as_ref())?)
         })
     }
 

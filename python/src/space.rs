@@ -81,7 +81,13 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
         points: &[Self::Vector],
     ) -> PyResult<Vec<Self::Real>>;
     /// Their winding numbers.
-    fn windings(&self, mesh: &Mesh<Self::Vector>, boundary: &Boundary, points: &[Self::Vector]) -> PyResult<Vec<f64>>;
+    fn windings(
+        &self,
+        mesh: &Mesh<Self::Vector>,
+        boundary: &Boundary,
+        tolerance: f64,
+        points: &[Self::Vector],
+    ) -> PyResult<Vec<f64>>;
     fn nearest(&self, balls: &[Ball<Self::Vector>]) -> Answers<Option<Near<Self::Vector>>>;
     fn nearest_k(&self, ball: &Ball<Self::Vector>, k: usize) -> Vec<Near<Self::Vector>>;
 }
@@ -161,9 +167,9 @@ where
         points.iter().map(|&point| solid.signed_distance(point).map_err(failed)).collect()
     }
 
-    fn windings(&self, mesh: &Mesh<V>, boundary: &Boundary, points: &[V]) -> PyResult<Vec<f64>> {
+    fn windings(&self, mesh: &Mesh<V>, boundary: &Boundary, tolerance: f64, points: &[V]) -> PyResult<Vec<f64>> {
         let tracer = Tracer::new(self);
-        let winding = Winding::new(&tracer, mesh, boundary);
+        let winding = Winding::new(&tracer, mesh, boundary).with_tolerance(tolerance);
         points.iter().map(|&point| winding.number(point).map_err(failed)).collect()
     }
 

@@ -140,19 +140,23 @@ class Inside:
                 stacklevel=3,
             )
 
-    def winding_number(self, points: ArrayLike, progress: Progress | None = None) -> NDArray[np.float64]:
+    def winding_number(
+        self, points: ArrayLike, progress: Progress | None = None, *, tolerance: float = 1e-6
+    ) -> NDArray[np.float64]:
         """How often the mesh winds around each point: shape (n,), float64.
 
         It is 1 inside of a closed surface whose faces are seen counterclockwise from outside, 2 where two of them
         overlap, -1 inside of one that is turned, and 0 outside. A hole changes it by the part of the view that the hole
-        takes up. Of a closed and oriented mesh the numbers are integers, and exact. Of others they are right within
-        1e-9, unless a point is on an open edge; the time of each grows with the number of open edges. Of a point
-        that is exactly on a face, it is the number of one of its sides.
+        takes up. Closed and oriented meshes have exact integers. The numbers of other meshes are right within
+        `tolerance`, unless a point is on an open edge. Of a point that is exactly on a face, it is the number of one of
+        its sides.
 
         Parameters
         ----------
         points
             Shape (n, 3).
+        tolerance
+            The greatest error; below 1e-9 it is 1e-9. The smaller it is, the longer the numbers of open meshes take.
 
         Raises
         ------
@@ -168,4 +172,4 @@ class Inside:
         >>> scene.winding_number([[0.1, 0.1, 0.1], [1, 1, 1]])
         array([1., 0.])
         """
-        return self._native.winding_numbers(rows(points, "points", self._native.dtype), progress)
+        return self._native.winding_numbers(rows(points, "points", self._native.dtype), tolerance, progress)

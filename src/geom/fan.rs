@@ -51,7 +51,7 @@ pub(crate) fn fine_share(point: DVec3, ends: [DVec3; 2], e: DVec3) -> Option<Sha
 fn of_parts(top: f64, bottom: f64, off: f64) -> Share {
     // The ray may be on the other side of the edge than the sum.
     let is_open = bottom <= off && top.abs() <= off;
-    let error = off / PI / top.hypot(bottom).max(f64::MIN_POSITIVE);
+    let error = off / PI / top.abs().max(bottom.abs()).max(f64::MIN_POSITIVE);
     [top.atan2(bottom) / (2.0 * PI), if is_open { f64::INFINITY } else { error }]
 }
 

@@ -14,12 +14,16 @@
 //! Two sorts, of vertices by coordinates and of edges by ends. Lines are compared only for edges that an odd number of
 //! faces share, exactly.
 
+mod border_tree;
+
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 use glam::DVec3;
 
 use crate::geom::{Mesh, Vector, order_of_lines};
 use crate::threads;
+use border_tree::BorderTree;
 
 /// What the edges of a mesh say about its surface. Vertices of equal coordinates are one.
 ///
@@ -51,6 +55,8 @@ pub struct Boundary {
     pub borders: Vec<Border>,
     /// The least and the greatest coordinates of all corners of faces; infinite if there are no faces.
     pub bounds: [DVec3; 2],
+    /// Made of the borders when it is first asked for.
+    tree: OnceLock<BorderTree>,
 }
 
 /// An edge on the border of a surface.
@@ -89,7 +95,17 @@ impl Boundary {
         let first = first(mesh.triangles(), &welded, &odd);
         let corners = mesh.triangles().iter().flatten().map(|&corner| mesh.vertices()[corner as usize].widen());
         let bounds = corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[lo, hi], p| [lo.min(p), hi.max(p)]);
-        Self { open: odd.len(), unpaired, repeated: repeated(mesh.triangles(), &welded), first, borders, bounds }
+        let repeated = repeated(mesh.triangles(), &welded);
+        Self { open: odd.len(), unpaired, repeated, first, borders, bounds, tree: OnceLock::new() }
+    }
+
+    /// The borders as a hierarchy. The vertices must be those of the mesh. No thread waits for one that makes it, which a
+    /// process that was forked meanwhile does not have.
+    pub(super) fn tree<V: Vector>(&self, vertices: &[V]) -> &BorderTree {
+        self.tree.get().unwrap_or_else(|| {
+            let tree = BorderTree::new(&self.borders, |vertex| vertices[vertex as usize].widen());
+            self.tree.get_or_init(|| tree)
+        })
     }
 
     /// Whether the surface has no end: it has an inside by parity.

@@ -111,7 +111,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
         let is_inside = match self.rule {
             Rule::Parity => crossings(false).map(|count| count % 2 == 1),
             Rule::Nonzero => crossings(true).map(|winding| winding != 0),
-            Rule::Winding => self.winding.off_surface(point)?.map(|number| number > 0.5),
+            Rule::Winding => self.winding.is_inside(point)?,
         };
         Ok(match is_inside {
             None => Location::Surface,

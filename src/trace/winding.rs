@@ -13,12 +13,11 @@
 //!
 //! The crossings are exact, so a mesh without a border has exact integers. The sum takes one arc tangent for each edge
 //! of the border (Van Oosterom & Strackee 1983, "The solid angle of a plane triangle"), however many triangles there
-//! are: a hierarchy of dipoles (Barill et al. 2018, "Fast winding numbers for soups and clouds") approximates all
-//! triangles instead. `[WINDING-1]`
+//! are, and fewer from afar: [`Boundary`] has the border as a hierarchy. `[WINDING-1]`
 
 use glam::DVec3;
 
-use super::{Border, Boundary, MeshQueries};
+use super::{Boundary, MeshQueries};
 use crate::geom::{Mesh, Ray, RayError, Real as _, Vector, fan};
 
 /// The winding numbers of a mesh: about how often its surface winds around a point.
@@ -45,12 +44,13 @@ pub struct Winding<'t, T, V: Vector> {
     tracer: &'t T,
     vertices: &'t [V],
     boundary: &'t Boundary,
+    tolerance: f64,
 }
 
 /// The error of an edge of the border that is not computed again by more digits.
 const CLOSE: f64 = 1e-12;
 
-/// The error that a number may have where one of the directions allows it. `[WINDING-2]`
+/// The error that rounding may leave a number where one of the directions allows it. `[WINDING-2]`
 const TOLERANCE: f64 = 1e-9;
 
 /// Directions of rays, which are tried after the one that leaves the mesh soonest. The first are fast, but often meet edges
@@ -73,13 +73,19 @@ const DIRECTIONS: [[i8; 3]; 12] = [
 impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
     /// The winding numbers of a mesh; `tracer` and `boundary` must be made of it.
     pub fn new(tracer: &'t T, mesh: &'t Mesh<V>, boundary: &'t Boundary) -> Self {
-        Self { tracer, vertices: mesh.vertices(), boundary }
+        Self { tracer, vertices: mesh.vertices(), boundary, tolerance: 1e-6 }
+    }
+
+    /// The same with another bound of the error than 1e-6. A smaller one takes longer, and below 1e-9 it is 1e-9.
+    #[must_use]
+    pub const fn with_tolerance(&self, tolerance: f64) -> Self {
+        Self { tolerance, ..*self }
     }
 
     /// The winding number of a point: without an error for a mesh without a border.
     ///
-    /// Otherwise its error is below 1e-9, unless the point is on an edge of the border, or next to it by less than about
-    /// 1e-20 of its length. There the number itself jumps. `[WINDING-2]`
+    /// Otherwise its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or next
+    /// to it by less than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.
@@ -88,10 +94,14 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
         Ok(f64::from(self.tracer.winding(&ray)) + fan)
     }
 
-    /// The same, unless the point is on a triangle that has an area.
-    pub(super) fn off_surface(&self, point: V) -> Result<Option<f64>, RayError> {
+    /// Whether the number is above 1/2. `None` if the point is on a triangle that has an area.
+    pub(super) fn is_inside(&self, point: V) -> Result<Option<bool>, RayError> {
         let (ray, fan) = self.ray_and_fan(point)?;
-        Ok(self.tracer.crossings_off_surface(&ray, true).map(|winding| f64::from(winding) + fan))
+        let number = self.tracer.crossings_off_surface(&ray, true).map(|winding| f64::from(winding) + fan);
+        if self.tolerance > TOLERANCE && number.is_some_and(|number| (number - 0.5).abs() <= self.tolerance) {
+            return self.with_tolerance(TOLERANCE).is_inside(point);
+        }
+        Ok(number.map(|number| number > 0.5))
     }
 
     /// A ray from a point, and what the fan from its opposite adds to the number of crossings.
@@ -115,16 +125,15 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
     /// The fan from the opposite of the direction `e`, as seen from a point.
     fn fan(&self, point: DVec3, e: DVec3) -> Fan {
         let (mut fan, unit) = (Fan { number: 0.0, error: 0.0 }, e.normalize());
-        for &Border { ends, faces } in &self.boundary.borders {
-            let ends = ends.map(|end| self.vertices[end as usize].widen());
+        let far = self.boundary.tree(self.vertices).fan(point, unit, self.tolerance - TOLERANCE, |ends| {
             let mut share = fan::share(point, ends, unit);
             if share[1] > CLOSE {
                 share = fan::fine_share(point, ends, e).unwrap_or(share);
             }
-            fan.number += f64::from(faces) * share[0];
-            fan.error += f64::from(faces) * share[1];
-        }
-        fan
+            fan.number += share[0];
+            fan.error += share[1];
+        });
+        Fan { number: fan.number + far, ..fan }
     }
 }
 
