@@ -19,7 +19,7 @@ use crate::tree::Node;
 /// ```
 ///
 /// where D is a power of two. (The paper writes (k + d) mod H, which overflows where keys use the full width.) Where
-/// one key alone has a displacement, its node stands there instead, marked by the sign: one load, no remainder.
+/// one key alone has a displacement, the table holds its node instead, marked by the sign: one load, no remainder.
 /// `[HASH-5]`
 ///
 /// Keys of up to 64 bits are hashed as they are, in 32-bit arithmetic where all keys of the tree fit. Longer ones are
