@@ -8,9 +8,9 @@ pub(super) const LIMIT: usize = 1 << 30;
 const SIGN: u32 = 1 << 31;
 
 /// Returns the word for a node: `0x80000000 + a` for the inner node `a`, `!i` (from `0xC0000000` up) for the leaf `i`.
-/// The sign bit is set in both, so they differ from displacements and empty cells. `[HASH-5]`
+/// The sign bit of either word is set, so they differ from displacements and empty cells. `[HASH-5]`
 ///
-/// Binder & Keller (2016, Section 2.2.2) mark direct addresses in this way in the table of displacements; here the
+/// Binder & Keller (2016, Section 2.2.2) use these marks for direct addresses in the table of displacements; here the
 /// cells hold the same words. The index must be below 2^30.
 pub const fn encode(node: Node) -> u32 {
     let index = node.index() as u32;

@@ -1,4 +1,4 @@
-//! The certificate of a perfect hash: that it is correct for a tree, in time linear in both.
+//! The certificate of a perfect hash: that it is correct for a tree, in time linear in the sizes of table and tree.
 
 use alloc::vec;
 use alloc::vec::Vec;

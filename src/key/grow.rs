@@ -27,7 +27,7 @@ use super::{KeyWord, Word};
 /// ```
 #[derive(Clone)]
 pub struct Grow {
-    /// Flag (top bit: the extension is in use) and payload, of which the lowest `used` bits belong to the value.
+    /// Flag (top bit: the extension is in use) and payload, whose lowest `used` bits belong to the value.
     low: u64,
     /// 1 to 63.
     used: u32,

@@ -6,8 +6,8 @@ use std::fmt::Debug;
 
 /// A preference at an inner node.
 pub trait ChildOrder: Copy + Debug {
-    /// Returns whether the right child comes first, if the ray meets both. `nears` are the distances at which it enters
-    /// them.
+    /// Returns whether the right child comes first, if the ray meets both children. `nears` are the distances at which
+    /// it enters them.
     fn prefers_right<R: PartialOrd>(nears: [R; 2]) -> bool;
 
     /// Whether it is the order along the ray.

@@ -124,7 +124,7 @@ trait Seeking: BoxQuery + Repeatable {}
 
 impl<Q: BoxQuery + Repeatable> Seeking for Q {}
 
-/// A query that tests a node's own box if no descent has tested it: at the siblings on the way up.
+/// A query that tests a node's box if no descent has tested it: at the siblings on the way up.
 struct Upwards<'q, S> {
     query: &'q mut dyn Seeking,
     bvh: &'q Bvh<S>,

@@ -58,7 +58,7 @@ impl Default for Counters {
 }
 
 impl Counters {
-    /// Returns the sums of both.
+    /// Returns the sums of the two counters.
     #[must_use]
     pub fn merge(self, other: &Self) -> Self {
         Self {

@@ -24,8 +24,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Afra<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] if the tree has no parents and siblings, and [`Unsupported::TooDeep`] beyond as many
-    /// edges as the word has bits.
+    /// [`Unsupported::NoLinks`] if the tree has no parents and siblings, and [`Unsupported::TooDeep`] for trees deeper
+    /// than the bits of the word.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::ParentSibling)?;

@@ -24,7 +24,7 @@ impl<W: KeyWord, L: Lookup<W>> ByKey<W, L> {
     /// Starts at the root of the table's tree.
     ///
     /// # Errors
-    /// [`TooDeep`] if the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the key would lose its leading one: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, lookup: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;

@@ -25,7 +25,7 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>> HashOnly<'t, W, T, L> {
     /// Starts at the root. The table must have the keys of all nodes but the root.
     ///
     /// # Errors
-    /// [`TooDeep`] if the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the key would lose its leading one: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T, lookup: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;

@@ -32,7 +32,7 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, L,
     ///
     /// # Errors
     /// [`Unsupported::NoLinks`] if the tree has no uncles, and [`Unsupported::TooDeep`] if the key would lose its
-    /// leading one: beyond as many edges as the word has bits, less one.
+    /// leading one: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T, lookup: L) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::Uncles)?;

@@ -36,7 +36,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] if `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if `levelStart` would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
@@ -54,7 +54,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] if the combined index would wrap: beyond as many edges as the word has bits, less two.
+    /// [`TooDeep`] if the combined index would wrap: for trees deeper than the bits of the word, less two.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 2)?;

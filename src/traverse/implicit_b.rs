@@ -32,7 +32,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] if `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if `levelStart` would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
@@ -50,7 +50,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB1<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] if the index would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the index would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;

@@ -35,7 +35,7 @@ impl<'t, const K: usize, W: KeyWord, T: Topology> Laine<'t, K, W, T> {
     /// Starts at the root. Words that grow have no top bit, and are refused.
     ///
     /// # Errors
-    /// [`TooDeep`] beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, TooDeep> {
         let Some(level) = W::highest() else {

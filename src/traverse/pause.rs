@@ -181,11 +181,11 @@ pub fn resume<C: Pause>(
     Ok(traverse_pruned(cursor, search, recorder))
 }
 
-/// A node from which all that is not below it is still to be visited: its subtree, its sibling's, its uncle's and so on
-/// up to the root's other child. `[PAUSE-4]`
+/// A node from which a search visits its subtree, then its sibling's, its uncle's and so on up to the root's other
+/// child. `[PAUSE-4]`
 ///
-/// This is what is left of a traversal of which only the key was kept: nobody knows any more which nodes were wanted,
-/// and which have been visited. So it is no [`Paused`] state, and only searches that do not mind can go on from it.
+/// This is the state of a traversal when only the key is kept: the wanted nodes and the visited nodes are unknown. So
+/// it is not a [`Paused`] state, and only searches that allow repeated and unwanted nodes can resume from it.
 ///
 /// ```compile_fail,E0277
 /// # use stackless_bvh::bvh::Bvh;

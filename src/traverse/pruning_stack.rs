@@ -20,7 +20,7 @@ pub struct PruningStack<'t, T, const BY_DISTANCE: bool, M = &'t mut Vec<Node>> {
 }
 
 impl<'t, T: Topology, const BY_DISTANCE: bool> PruningStack<'t, T, BY_DISTANCE> {
-    /// Starts at the root. The caller owns the memory of the stack, so many traversals can share it.
+    /// Starts at the root. The caller owns the memory of the stack: traversals can share it.
     #[inline]
     pub fn new(tree: &'t T, memory: &'t mut Vec<Node>) -> Self {
         Self::with(tree, memory)

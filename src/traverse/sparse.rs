@@ -31,7 +31,7 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Sparse<'t, W, T, M> {
     ///
     /// # Errors
     /// [`Unsupported::NoLinks`] if the tree has no parents and siblings, and [`Unsupported::TooDeep`] if the counter
-    /// would leave its word: beyond as many edges as the word has bits, less one.
+    /// would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::ParentSibling)?;

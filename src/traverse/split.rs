@@ -64,7 +64,7 @@ where
     F: Fn(&'c Piece<'c, T>) -> Result<C, E>,
 {
     /// Starts at the root. `start` makes a cursor at the root of a piece. The caller owns the memory for the waiting
-    /// states, so many traversals can share it.
+    /// states: traversals can share it.
     ///
     /// All pieces report the same [`depth`](Topology::depth), so the constructors of cursors accept all pieces or none.
     /// If `start` refused one after it accepted the first, its nodes would be skipped (and debug builds would panic).

@@ -252,7 +252,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     }
 
     /// Returns whether the tree's own records have the links of a traversal, and its layout is implicit: then
-    /// [`directly`](Self::directly) has all that it needs.
+    /// [`directly`](Self::directly) needs no tables.
     #[inline]
     pub fn are_direct(&self, method: Method) -> bool {
         self.tree.names(method.wants_recorded()) && !matches!(self.beside.layout, Some(Layout::Map(_)))

@@ -28,8 +28,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Uncle<'t, W, T, M> {
     /// Starts at the root. Records without a grand uncle do not compile: the climb by two levels would pass over it.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] if the tree has no uncles, and [`Unsupported::TooDeep`] beyond as many edges as the
-    /// word has bits.
+    /// [`Unsupported::NoLinks`] if the tree has no uncles, and [`Unsupported::TooDeep`] for trees deeper than the bits
+    /// of the word.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         const { assert!(T::REACH.of(false) >= 2 && T::REACH.of(true) >= 2, "the climb needs grand uncles") };

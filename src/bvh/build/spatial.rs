@@ -39,7 +39,7 @@ impl SpatialOptions {
 }
 
 impl Default for SpatialOptions {
-    /// Up to 30 % more references, and an overlap of 10^-3. With the 10^-5 of the paper, trees have twice as many
+    /// Up to 30 % more references, and an overlap of 10^-3. With the 10^-5 of the paper, trees have twice the number of
     /// additional references, and are hardly faster.
     fn default() -> Self {
         Self { extra_percent: 30, overlap: 1e-3 }

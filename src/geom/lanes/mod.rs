@@ -1,9 +1,9 @@
 //! A ray against four or eight boxes at once, and against four triangles at once.
 //!
-//! Wide hierarchies ([`bvh::wide`](crate::bvh::wide)) are traced by these. Instructions are those of
-//! [`fearless_simd`]; the level is chosen by the caller. All functions are inlined always, so that they are compiled
-//! for the level of whoever calls them. The box test gives the same bits on all levels; the filter of triangles rejects
-//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-7]`.
+//! Tracers of wide hierarchies ([`bvh::wide`](crate::bvh::wide)) use these tests. Instructions are those of
+//! [`fearless_simd`]; the caller selects the level. All functions are always inlined, so they are compiled for the
+//! caller's level. The box test gives identical bits on all levels; the filter rejects the same triangles on all
+//! levels. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-7]`.
 //!
 //! ```
 //! use fearless_simd::{Level, Simd, dispatch, f32x8};

@@ -11,7 +11,7 @@ use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
 use crate::geom::slabs::{Directed, Slabs, Slabs64};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
-/// Positions in single or in double precision, for wide trees. The boxes are in single precision for both.
+/// Positions in single or in double precision, for wide trees. Boxes are always in single precision.
 pub trait Precision: Vector {
     /// The exact test.
     type Exact: Parity<Vector = Self>;

@@ -11,7 +11,7 @@ use crate::geom::kernel::two_sum;
 pub(super) trait Enclosure:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
-    /// Creates one finite number. `None` if it is so great or so small that products of it may over- or underflow.
+    /// Creates one finite number. `None` if products of it may over- or underflow.
     fn of(x: f64) -> Option<Self>;
 
     /// Returns whether all numbers are below 0.

@@ -118,7 +118,7 @@ impl<T: Topology> Piece<'_, T> {
         self.number as usize
     }
 
-    /// Makes a table of the piece alone, for a tree of its shape in which cut nodes are leaves.
+    /// Computes a table of the piece alone, for a tree of its shape in which cut nodes are leaves.
     ///
     /// Records of cut nodes are those of inner nodes. So a hash for records with more references at leaves than at
     /// inner nodes must be made for the reach of inner nodes ([`Reach`]).

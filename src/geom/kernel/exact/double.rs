@@ -11,9 +11,9 @@
 //! 3. Distance and weights of a certain hit by quotients that are corrected by their residual
 //!    ([`corrected`](super::corrected)), if the distance of the hit is also within 2^-200 to 2^200. `[EXACT-14]` If
 //!    these leave a number undecided, twice the precision of doubles ([`fine`]), with bounds, which nearly always round
-//!    to one number. A line that certainly meets the triangle does so at a distance below 2^450. If the distance as
-//!    computed underflows, its bounds are above 2^-502 apart, because the error of the numerator is above 2^-50 C E E
-//!    and the determinant at most 4 D E E.
+//!    to one number. The distance of a certain hit is below 2^450. If the distance as computed underflows, its bounds
+//!    are above 2^-502 apart, because the error of the numerator is above 2^-50 C E E and the determinant at most 4 D E
+//!    E.
 //! 4. Exact sums ([`accumulator`](super::accumulator)), for numbers of any size.
 
 use std::cmp::Ordering;
