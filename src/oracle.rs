@@ -1,4 +1,4 @@
-//! The reference: a minimal recursion. All traversals are compared with it.
+//! The reference of all traversals: a minimal recursion.
 
 use crate::event::{Recorder, State};
 use crate::order::{Flow, Pruned, Pruning, Unpruned, Visitor};

@@ -105,7 +105,7 @@ pub fn layers(n: usize) -> Mesh {
     let (width, mut x) = (65_536.0, 1.0 / 1024.0);
     for i in 0..n.max(1) {
         let start = if i == 0 { width } else { 0.0 };
-        // Alternating halves of the same square.
+        // Alternating halves of one square.
         let [near, far] = if i % 2 == 0 { [0.0, width] } else { [width, 0.0] };
         parts.add_triangle([[near, near], [near, far], [far, near]].map(|[y, z]| Vec3::new(-x, start + y, z)));
         x *= 0.75;

@@ -212,7 +212,7 @@ mod tests {
     use super::*;
     use crate::generate::Rng;
 
-    /// What is wanted of the root before any leaf, and after so many, by tapes whose answers change.
+    /// The wanted children of the root before any leaf, and after several leaves, by tapes whose answers change.
     #[test]
     fn answers_change() {
         let tree: Tree<4> = wide_tree(&[Some(vec![1, 2, 3, 4]), None, None, None, None]);

@@ -78,7 +78,7 @@ impl<const H: u32> Modulo for Constant<H> {
 /// and q = floor(kM/W), the high half of one product, is the quotient floor(k/H) or one less. The remainder is thus k -
 /// qH, which is less than 2H <= 2^32 and fits 32 bits, or that minus H. Where `r < H`, `r - H` wraps to more than `r`:
 /// the remainder is the smaller one of the two. This is Barrett's reduction (1986) with a quotient that fits a word.
-/// The M for 2^32 is the high half of the M for 2^64, so that one number serves both.
+/// The M for 2^32 is the high half of the M for 2^64, so one number serves the two widths.
 #[derive(Clone, Copy, Debug)]
 pub struct Reciprocal {
     size: u32,

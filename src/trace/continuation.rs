@@ -267,7 +267,7 @@ mod tests {
                     }
                     let Some((hit, place)) = continuation.closest(ray, None) else { continue };
                     assert!(bvh.leaf_triangles(place.0).iter().any(|held| held.prim == hit.prim));
-                    // The same ray starts in the leaf of its own hit.
+                    // The same ray starts in the leaf of its hit.
                     let [root, leaf] = [None, Some(place)].map(|from| continuation.count_any(ray, from).inner as i64);
                     cheaper += root - leaf;
                 }

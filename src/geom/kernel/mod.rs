@@ -50,8 +50,8 @@ pub trait Kernel: Copy + Debug {
         self.distance(shape, Real::<Self>::INFINITY).is_some()
     }
 
-    /// Compares the unrounded distances of two shapes, both of which the ray meets at one [`distance`](Self::distance).
-    /// Equal if the test cannot decide, as for inexact tests. `[EXACT-13]`
+    /// Compares the unrounded distances of two shapes that the ray meets at one [`distance`](Self::distance). Equal if
+    /// the test cannot decide, as for inexact tests. `[EXACT-13]`
     fn compare(&self, _shape: &Self::Shape, _other: &Self::Shape) -> Ordering {
         Ordering::Equal
     }

@@ -95,8 +95,8 @@ impl FromEntrance {
     /// Returns the entries and exits of the ray for two boxes, if it enters, for hits whose distances are rounded to
     /// single precision.
     ///
-    /// Such a distance may be below the entry into the box. Rounding keeps the order, so entries are rounded before
-    /// they are compared with it.
+    /// Such a distance may be below the entry into the box. Rounding keeps the order, so entries are rounded before the
+    /// comparison.
     pub(in crate::geom) fn pair(&self, planes: &[[f32; 4]; 3]) -> [Option<[f32; 2]>; 2] {
         match self {
             Self::Single { origin, inverse, start: [start, latest], tmin } => {

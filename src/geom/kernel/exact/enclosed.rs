@@ -135,8 +135,8 @@ impl<R: Real> EnclosedTest<R> {
         quotient::distance(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)
     }
 
-    /// Compares the distances of two triangles that the ray is known to meet, each in the space of its own test. It
-    /// decides if the rays are known exactly or the bounds are disjoint. `[EXACT-13]`
+    /// Compares the distances of two triangles that the ray is known to meet, each in the space of its test. It decides
+    /// if the rays are known exactly or the bounds are disjoint. `[EXACT-13]`
     pub(crate) fn compare<V: Vector<Real = R>>(
         &self,
         shape: &Triangle<V>,

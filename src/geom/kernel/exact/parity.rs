@@ -62,9 +62,9 @@ impl Exact {
     /// Returns whether the ray crosses the triangle within its interval, ends included, by the rule that counts each
     /// crossing of a closed mesh once: at an edge or corner, for one of the triangles there. `[PARITY-1]`
     ///
-    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no others. The
-    /// number of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its origin
-    /// an odd number of times, as it does around a point inside; unless the origin is on the mesh.
+    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no other triangles.
+    /// The number of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its
+    /// origin an odd number of times, as it does around a point inside; unless the origin is on the mesh.
     ///
     /// ```
     /// use glam::Vec3;
