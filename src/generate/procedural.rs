@@ -95,11 +95,11 @@ pub fn soup(seed: u64, n: usize) -> Mesh {
 /// Returns a deep scene: `n` parallel triangles (at least one), each a quarter nearer to a last plane, x = 0, than the
 /// previous one.
 ///
-/// They are so near and so wide, 65,536 in y and z, that in single precision all boxes over some of them have the same
-/// surface. So every split costs the same, and the surface area heuristic repeatedly separates only the farthest
-/// triangle: the depth of the hierarchy is about the number of triangles, if the options allow it. From about 280
-/// triangles on, single precision does not distinguish their planes. The first triangle is offset in y, so a ray can
-/// meet its box and, of the other triangles, only the last.
+/// They are so near and so wide, 65,536 in y and z, that in single precision all boxes over some of them have one
+/// common surface area. So all splits have equal cost, and the surface area heuristic repeatedly separates only the
+/// farthest triangle: the depth of the hierarchy is about the number of triangles, if the options allow it. From about
+/// 280 triangles on, single precision does not distinguish their planes. The first triangle is offset in y, so a ray
+/// can meet its box and, of the other triangles, only the last.
 pub fn layers(n: usize) -> Mesh {
     let mut parts = Parts::default();
     let (width, mut x) = (65_536.0, 1.0 / 1024.0);
