@@ -60,7 +60,7 @@ pub struct Measure<V: Vector = Vec3> {
     /// The frame of boxes; bounds of the point there, and the unit of length.
     frame: Frame,
     in_frame: [DVec3; 2],
-    /// The same in single precision.
+    /// Bounds in single precision.
     ends_in_frame: [Vec3; 2],
     unit: f64,
 }
@@ -113,8 +113,8 @@ impl<V: Vector> Measure<V> {
         self.certain(bounds.map(|bound| [bound, 0.0])).or_else(|| self.settle(triangle, bounds[1], limit))
     }
 
-    /// Bounds of the distance, if it may be at most the radius and round to at most `limit`. Where double precision knows
-    /// none, the second is a NaN.
+    /// Returns bounds of the distance, if it may be at most the radius and round to at most `limit`. If double
+    /// precision gives no bounds, the second is a NaN.
     #[inline]
     pub(crate) fn bounds(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<[f64; 2]> {
         let corners @ [a, b, c] = triangle.widen();
@@ -218,7 +218,7 @@ impl<V: Vector> Measure<V> {
         self.distance_of(parts, &corners, parts.foot(&corners, point)?)
     }
 
-    /// The distance of a foot.
+    /// Returns the distance of a foot.
     fn distance_of(&self, parts: Parts, corners: &[DVec3; 3], foot: [Fine; 3]) -> Option<V::Real> {
         let point = self.point.widen();
         let height = || parts.only()?.height(corners, point);

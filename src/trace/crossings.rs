@@ -156,7 +156,7 @@ pub struct Crossings<'a, K: Parity = Exact, B = Directed, H = Bvh<<K as Kernel>:
     count: u32,
     /// The sum of senses, if requested.
     winding: Option<i32>,
-    /// The origin, as long as no triangle is known that it is on, if that is asked.
+    /// The watched origin, until a triangle contains it.
     off_surface: Option<K::Vector>,
 }
 

@@ -75,7 +75,7 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
 
     fn compare(&mut self, bounds: [f64; 2], shape: &Triangle<V>, new: Best) {
         let most = V::Real::rounded(bounds[1]);
-        // Not so for a NaN.
+        // False for a NaN.
         if !self.best.and_then(|best| best.open).is_none_or(|open| most < V::Real::rounded(open)) {
             self.settle();
         }
@@ -147,7 +147,7 @@ pub(super) struct Limit<R> {
 }
 
 impl<R: Real> Limit<R> {
-    /// The greatest distance of a triangle that does not come after it.
+    /// Returns the greatest distance of a triangle that does not come after it.
     fn end(&self, prim: u32) -> R {
         if prim > self.prim { self.distance.next_down() } else { self.distance }
     }

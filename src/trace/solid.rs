@@ -105,7 +105,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// [`RayError`] for a point that is not finite.
     pub fn locate(&self, point: V) -> Result<Location, RayError> {
         let (length, exit) = self.boundary.exit(point.widen());
-        // It leaves the bounds soonest: of a closed mesh all rays say the same.
+        // It leaves the bounds soonest: for a closed mesh all rays give one answer.
         let ray = along(point, exit)?;
         let crossings = |signed| if length < 0.0 { Some(0) } else { self.tracer.crossings_off_surface(&ray, signed) };
         let is_inside = match self.rule {

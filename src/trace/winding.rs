@@ -88,13 +88,13 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
         Ok(f64::from(self.tracer.winding(&ray)) + fan)
     }
 
-    /// The same, unless the point is on a triangle that has an area.
+    /// Returns the number; `None` if the point is on a triangle with an area.
     pub(super) fn off_surface(&self, point: V) -> Result<Option<f64>, RayError> {
         let (ray, fan) = self.ray_and_fan(point)?;
         Ok(self.tracer.crossings_off_surface(&ray, true).map(|winding| f64::from(winding) + fan))
     }
 
-    /// A ray from a point, and what the fan from its opposite adds to the number of crossings.
+    /// Returns a ray from a point, and the contribution of the fan from its opposite.
     fn ray_and_fan(&self, point: V) -> Result<(Ray<V>, f64), RayError> {
         let fan = |e: [i8; 3]| self.fan(point.widen(), DVec3::from(e.map(f64::from)));
         let (_, exit) = self.boundary.exit(point.widen());

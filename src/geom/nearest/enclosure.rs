@@ -49,7 +49,7 @@ impl Enclosure for Rough {
     #[inline]
     fn share(self, whole: Self) -> Self {
         let quotient = self.over(whole);
-        // Not so for a NaN.
+        // False for a NaN.
         if quotient.radius < 0.5 { quotient } else { Self { middle: 0.5, radius: 0.5 } }
     }
 
