@@ -1,14 +1,15 @@
-//! How a thread computes with floats.
+//! Floating-point arithmetic of a thread.
 
 use std::hint::black_box;
 
-/// Why floats of this thread are not those of IEEE 754, on which every exact answer rests.
+/// Errors of [`check_environment`]: this thread's arithmetic is not that of IEEE 754, which every exact answer
+/// requires.
 ///
-/// Processors can be told to compute in other ways, thread by thread. A library that was compiled with `-ffast-math`
-/// does that where it is loaded, and threads inherit it. `[ENV-1]`
+/// Processors can use other arithmetic, separately for each thread. A library that was compiled with `-ffast-math`
+/// changes it when it is loaded, and threads inherit the change. `[ENV-1]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EnvironmentError {
-    /// Numbers below the least normal one are taken for zero, or made zero.
+    /// Numbers below the least normal number are flushed to zero, as operands or as results.
     #[error("this thread takes subnormal numbers for zero (was a library compiled with -ffast-math?)")]
     Subnormals,
     /// Sums are not rounded to the nearest float.
@@ -16,18 +17,18 @@ pub enum EnvironmentError {
     Rounding,
 }
 
-/// Whether this thread keeps subnormal numbers and rounds to the nearest float, in both precisions.
+/// Checks that this thread keeps subnormal numbers and rounds to the nearest float, in both precisions.
 ///
-/// It takes some nanoseconds: six additions. Rays, balls, hierarchies and the parallel queries ask it themselves, so
-/// that their errors say it. Who makes rays on one thread and traces them on another, which is not this library's, asks
-/// there. `[ENV-1]`
+/// It takes some nanoseconds: six additions. Rays, balls, hierarchies and the parallel queries call it and return its
+/// error. A program that makes rays on one thread and traces them on another thread, which this library did not start,
+/// calls it there. `[ENV-1]`
 ///
 /// ```
 /// assert_eq!(stackless_bvh::geom::check_environment(), Ok(()));
 /// ```
 ///
 /// # Errors
-/// What [`EnvironmentError`] lists.
+/// [`EnvironmentError`].
 #[inline]
 pub fn check_environment() -> Result<(), EnvironmentError> {
     // A quarter and three quarters of a unit in the last place of 1: only rounding to nearest takes one down and the

@@ -1,8 +1,8 @@
-//! What can be observed of a traversal: which nodes it visits, in which order.
+//! Observable events of a traversal: the visited nodes, in order.
 //!
-//! The oracle and every traversal show their [`State`] to a [`Recorder`] at each visit. A [`Trace`] keeps the visited
-//! nodes; its [`events`](Trace::events) are the sequence of (key, enter | leaf | backtrack n | end) on which
-//! implementations are compared. With `()` as the recorder nothing is recorded and nothing is paid.
+//! The oracle and every traversal pass their [`State`] to a [`Recorder`] at each visit. A [`Trace`] keeps the visited
+//! nodes; its [`events`](Trace::events) are the sequence of (key, enter | leaf | backtrack n | end) by which
+//! implementations are compared. With `()` as the recorder, nothing is recorded and recording has no cost.
 
 mod backtracks;
 
@@ -14,33 +14,33 @@ use crate::key::KeyWord;
 use crate::order::Flow;
 use crate::tree::{Keys, Node, Topology};
 
-/// The state of a traversal at a visit, as far as it has one, in words of one kind.
+/// The state of a traversal at a visit, in words of one type. Absent parts are `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct State<W> {
     /// The node about to be visited.
     pub node: Node,
-    /// The node's key, where the traversal carries or implies one.
+    /// The node's key, if the traversal has or implies one.
     pub key: Option<W>,
-    /// The bit trail, where the traversal carries one.
+    /// The bit trail, if the traversal has one.
     pub trail: Option<W>,
-    /// Barringer & Akenine-Möller's `levelStart + levelIndex`, where the traversal carries them: a leading one, and the
+    /// Barringer & Akenine-Möller's `levelStart + levelIndex`, if the traversal has them: a leading one, and the
     /// complement of the trail.
     pub counter: Option<W>,
-    /// The second trail, where the traversal carries one: 1 where a node's siblings were marked as disjoint.
+    /// The second trail, if the traversal has one: 1 where a node's siblings were marked as disjoint.
     pub disjoint: Option<W>,
-    /// The most recently postponed node, where a register holds it.
+    /// The most recently postponed node, if a register holds it.
     pub register: Option<Node>,
-    /// Whether the node has been visited before and is only passed again on the way down from the root.
+    /// Whether the node was visited before, and a restart passes it again on the way down from the root.
     pub is_restarting: bool,
 }
 
 impl<W> State<W> {
-    /// That of a traversal that has nothing but a node to show.
+    /// Creates the state of a traversal with only a node.
     pub const fn of(node: Node) -> Self {
         Self { node, key: None, trail: None, counter: None, disjoint: None, register: None, is_restarting: false }
     }
 
-    /// The same with other words; what `f` has none for is left out.
+    /// Converts the words; parts for which `f` returns `None` are omitted.
     pub fn map<X>(self, f: impl Fn(W) -> Option<X>) -> State<X> {
         let Self { node, key, trail, counter, disjoint, register, is_restarting } = self;
         let [key, trail, counter, disjoint] = [key, trail, counter, disjoint].map(|word| word.and_then(&f));
@@ -48,12 +48,13 @@ impl<W> State<W> {
     }
 }
 
-/// Watches a traversal.
+/// An observer of a traversal.
 pub trait Recorder {
-    /// Called before each visit; [`Flow::Stop`] ends the traversal there. The state is made only for those who ask.
+    /// Called before each visit; [`Flow::Stop`] ends the traversal there. The state is computed only if the recorder
+    /// calls `state`.
     fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow;
 
-    /// The same where a traversal that restarts passes a node again on the way down from the root.
+    /// Called instead of `visit` when a restart passes a node again on the way down from the root.
     #[inline]
     fn revisit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.visit(node, state)
@@ -67,19 +68,19 @@ impl Recorder for () {
     }
 }
 
-/// The nodes that a traversal visited, restarts left out.
+/// The nodes that a traversal visited, without the repeated visits of restarts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Trace {
     nodes: Vec<Node>,
 }
 
 impl Trace {
-    /// The visited nodes, in order.
+    /// Returns the visited nodes, in order.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
     }
 
-    /// Forgets everything, keeping the memory.
+    /// Clears the trace and keeps its memory.
     pub fn clear(&mut self) {
         self.nodes.clear();
     }
@@ -148,9 +149,9 @@ pub enum Event<W> {
     Enter(W),
     /// A leaf is visited.
     Leaf(W),
-    /// The next node is a postponed one: its key, and how many levels up the ancestor is whose sibling it is.
+    /// The next node is a postponed one: its key, and the number of levels up to the ancestor whose sibling it is.
     Backtrack(W, u32),
-    /// Nothing is left, or the search was stopped.
+    /// No node is left, or the search stopped.
     End,
 }
 

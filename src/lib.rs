@@ -17,30 +17,30 @@
 //! # fn main() {}
 //! ```
 //!
-//! [`Tracer`](trace::Tracer) has the other queries; [`bvh`] says how hierarchies are built.
+//! [`Tracer`](trace::Tracer) has the other queries. [`bvh`] has the builders of hierarchies.
 //!
 //! # A traversal of any tree
 //!
-//! A traversal of a binary tree goes to the children that it wants, in an order that is decided on the way. A textbook
+//! A traversal of a binary tree visits the wanted children, in an order that each visit decides. A textbook traversal
 //! keeps the postponed children on a stack. The algorithms here need no stack. They find the next node from its key
 //! (Binder & Keller 2016), from a counter and the layout of the tree (Barringer & Akenine-Möller 2013), or from parents,
-//! uncles or skip pointers. Each is a small [`Cursor`](traverse::Cursor) behind one loop. The tests compare each with one
-//! oracle, visit by visit.
+//! uncles or skip pointers. Each is a small [`Cursor`](traverse::Cursor), and one loop drives all cursors. The tests
+//! compare each with one oracle, visit by visit.
 //!
 //! # Map
 //!
-//! | module | what is there |
+//! | module | contents |
 //! |---|---|
 //! | [`key`], [`trail`], [`swap`] | bits: node keys, the bit trail, the swap mask, over words of any width |
 //! | [`tree`] | topology: arena, implicit layout, links, keys of nodes |
-//! | [`order`], [`event`] | what a visit decides; what can be observed |
+//! | [`order`], [`event`] | decisions of visits; observable events |
 //! | [`oracle`], [`traverse`] | the reference, and every algorithm |
-//! | [`hash`] | from keys to addresses |
-//! | [`wide`] | trees of 2, 4 or 8 children a node, and their traversals |
+//! | [`hash`] | perfect hash from keys to addresses |
+//! | [`wide`] | trees of 2, 4 or 8 children per node, and their traversals |
 //! | `generate` | trees, decision tapes, sources of choices, scenes (feature `generate`) |
 //! | [`geom`], [`bvh`], [`trace`] | rays, hierarchies, queries (feature `rays`; by all threads with `parallel`) |
 //!
-//! Everything above `geom` is `no_std` with `alloc` and knows no geometry.
+//! All modules before `geom` in this table are `no_std` with `alloc`, and independent of geometry.
 //!
 //! # Example
 //!
@@ -97,11 +97,11 @@ mod threads;
 #[cfg(feature = "rays")]
 pub mod trace;
 
-/// Vectors, as they are passed to and fro.
+/// The vector types of the public interface.
 #[cfg(feature = "rays")]
 pub use glam;
 
-/// The example of the README, compiled and run with the documentation's.
+/// The example of the README. `cargo test --doc` compiles and runs it.
 #[cfg(all(doctest, feature = "rays", feature = "generate"))]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,8 +1,8 @@
-//! Names of the things that command line, files and tables choose by name.
+//! Lookup by name, for command line, files and tables.
 
 use core::fmt;
 
-/// A name that none of the things that could be meant has.
+/// A name that matches none of the alternatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UnknownName;
 

@@ -1,21 +1,21 @@
-//! The reference: recursion, as short as it can be. Everything else is compared with it.
+//! The reference of all traversals: a minimal recursion.
 
 use crate::event::{Recorder, State};
 use crate::order::{Flow, Pruned, Pruning, Unpruned, Visitor};
 use crate::tree::{Node, Topology};
 
-/// Deepest tree, in edges, that the recursion is used for. Deeper ones are compared with the explicit
+/// Deepest tree, in edges, for the recursion. Deeper trees are compared with the explicit
 /// [`Stack`](crate::traverse::Stack), which is itself compared with this function.
 pub const DEPTH_LIMIT: u32 = 2000;
 
 /// Visits the root, then, at each inner node, the wanted children in the wanted order. `[ORACLE-1]` `[CONF-4]`
 ///
-/// The tree must be at most [`DEPTH_LIMIT`] deep; below that depth nothing is visited.
+/// The tree must be at most [`DEPTH_LIMIT`] deep; nodes below that depth are not visited.
 pub fn traverse<T: Topology>(tree: &T, visitor: &mut impl Visitor, recorder: &mut impl Recorder) {
     traverse_pruned(tree, tree.root(), Pruning::Never, &mut Unpruned(visitor), recorder);
 }
 
-/// The same for the subtree of any node, where some postponed nodes are left out.
+/// Visits the subtree of any node, without some of the postponed nodes.
 pub fn traverse_pruned<T: Topology>(
     tree: &T,
     node: Node,
@@ -31,7 +31,7 @@ struct Reference<'a, T, V, R> {
     pruning: Pruning,
     visitor: &'a mut V,
     recorder: &'a mut R,
-    /// Whether something has been found in the subtree that is being looked at.
+    /// Whether something has been found in the current subtree.
     found: bool,
 }
 

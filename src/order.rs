@@ -1,19 +1,18 @@
-//! What a visit decides: which children are wanted, and which of them comes first.
+//! Decisions of a visit: the wanted children, and their order.
 //!
-//! A traversal knows nothing about geometry. At each inner node it asks a [`Visitor`] for a [`Descent`], once, and
-//! acts on the answer; at each leaf it asks whether to go on. Ray tracing, nearest points, interval searches and
-//! the decision tapes of the tests are all visitors. The answer is never asked for again on the way back
-//! (Binder & Keller 2016, Section 2), except by the traversals that say so in their type
-//! ([`Cursor::RESTARTS`](crate::traverse::Cursor::RESTARTS)).
+//! A traversal is independent of geometry. At each inner node it queries a [`Visitor`] for a [`Descent`], once, and
+//! follows it; at each leaf it queries whether to continue. Ray tracing, nearest points, interval searches and the
+//! decision tapes of the tests are all visitors. Backtracking never repeats a query (Binder & Keller 2016, Section 2),
+//! except in traversals whose type declares it ([`Cursor::RESTARTS`](crate::traverse::Cursor::RESTARTS)).
 
 pub use crate::key::Side;
 use crate::tree::Node;
 
-/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. Where
-/// traversals ask for it, both may be marked as disjoint. `[ORDER-1]`
+/// The decision at an inner node: no child is wanted, one is, or both are and one of them comes first. For traversals
+/// that use marks, both children may be marked as disjoint. `[ORDER-1]`
 ///
-/// Four bits, made and read without a branch: which children are hit is hard to predict, and a traversal that branches
-/// on it more than once loses up to a third of its speed (`benches/README.md`).
+/// It has four bits, written and read without a branch. The hit children are hard to predict, and a traversal that
+/// branches on them more than once loses up to a third of its speed (`benches/README.md`).
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Descent(u8);
 
@@ -32,13 +31,13 @@ impl Descent {
         Self(Self::ANY | side as u8)
     }
 
-    /// Both children are wanted; `first` is entered now, the other is postponed.
+    /// Both children are wanted; `first` is entered now, the other child is postponed.
     #[inline]
     pub const fn both(first: Side) -> Self {
         Self(Self::ANY | Self::BOTH | first as u8)
     }
 
-    /// The decision from two hits and a preference that counts only when both are hit.
+    /// Creates the decision from two hits and a preference that applies only if both are hit.
     ///
     /// (As printed, Algorithm 1 of Binder & Keller enters a missed right child if `closest` was computed from missed
     /// boxes; see spec/DEPARTURES.md, D-1.)
@@ -49,35 +48,35 @@ impl Descent {
         Self(((left | right) * Self::ANY) | ((left & right) * Self::BOTH) | (first * Self::RIGHT))
     }
 
-    /// The same, with a mark where all that is below the first child comes before all that is below the second: their
-    /// intervals along the ray are disjoint (Binder & Keller 2016, Section 2.3). `[ORDER-2]`
+    /// Creates the decision with a mark: all candidates below the first child come before all candidates below the
+    /// second. Then their intervals along the ray are disjoint (Binder & Keller 2016, Section 2.3). `[ORDER-2]`
     ///
-    /// What [`Pruned::inner_marked`] answers to traversals that prune.
+    /// [`Pruned::inner_marked`] returns it to traversals that prune.
     #[inline]
     #[must_use]
     pub const fn disjoint_if(self, disjoint: bool) -> Self {
         Self(self.0 | (disjoint as u8 * Self::DISJOINT))
     }
 
-    /// Whether the second child is only wanted while nothing is found below the first.
+    /// Returns whether the second child is wanted only until something is found below the first.
     #[inline]
     pub const fn is_disjoint(self) -> bool {
         self.0 & Self::DISJOINT != 0
     }
 
-    /// Whether no child is wanted.
+    /// Returns whether no child is wanted.
     #[inline]
     pub const fn is_neither(self) -> bool {
         self.0 & Self::ANY == 0
     }
 
-    /// The child to enter now. (Left, where none is wanted.)
+    /// Returns the child to enter now. (Left, if none is wanted.)
     #[inline]
     pub const fn first(self) -> Side {
         Side::right_if(self.0 & Self::RIGHT != 0)
     }
 
-    /// Whether the other child is wanted too, and postponed.
+    /// Returns whether the other child is also wanted, and postponed.
     #[inline]
     pub const fn postpones(self) -> bool {
         self.0 & Self::BOTH != 0
@@ -97,77 +96,77 @@ impl core::fmt::Debug for Descent {
     }
 }
 
-/// Whether a search goes on after a leaf.
+/// Whether a search continues after a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Flow {
-    /// Go on.
+    /// Continue.
     Continue,
-    /// End the traversal now (an any-hit query that has its hit).
+    /// End the traversal now (an any-hit query with its hit).
     Stop,
 }
 
-/// Which postponed nodes are not visited after all.
+/// The postponed nodes that a traversal skips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pruning {
-    /// None is left out.
+    /// None.
     Never,
-    /// Those that are disjoint from their siblings, after something has been found below the sibling. `[ORACLE-2]`
+    /// Nodes that are disjoint from their siblings, after something has been found below the sibling. `[ORACLE-2]`
     Disjoint,
-    /// Those that begin beyond the end of the search by now. `[ORACLE-3]`
+    /// Nodes that begin beyond the current end of the search. `[ORACLE-3]`
     Distance,
 }
 
-/// What the caller does at a node.
+/// The caller's actions at nodes.
 pub trait Visitor {
     /// Decides at an inner node.
     fn inner(&mut self, node: Node) -> Descent;
 
-    /// Looks into a leaf.
+    /// Processes a leaf.
     fn leaf(&mut self, node: Node) -> Flow;
 }
 
-/// A search of which nodes may be left out, and what traversals that prune ask of it besides. Only they ask, so whoever
-/// does not prune needs none of this, and pays nothing.
+/// A search that allows pruning, with the queries of traversals that prune. Only these traversals call its methods, so
+/// other traversals need none of them and pay nothing.
 ///
-/// Without answers of its own a search says that nothing can be left out.
+/// By default, a search allows no pruning.
 pub trait Pruned: Visitor {
-    /// Whether nothing is lost by leaving out nodes in this way, by what the methods below say. Traversals that prune
-    /// refuse other searches.
+    /// Returns whether this pruning, by the methods below, loses nothing. Traversals that prune refuse other searches.
     #[inline]
     fn allows(&self, pruning: Pruning) -> bool {
         pruning == Pruning::Never
     }
 
-    /// [`inner`](Visitor::inner), with a [mark](Descent::disjoint_if) where all that is sought below the first child
-    /// comes before all that is sought below the second. `[ORDER-2]`
+    /// Decides as [`inner`](Visitor::inner), with a [mark](Descent::disjoint_if) if all candidates below the first
+    /// child come before all candidates below the second. `[ORDER-2]`
     #[inline]
     fn inner_marked(&mut self, node: Node) -> Descent {
         self.inner(node)
     }
 
-    /// Whether the best of what has been found is in this leaf, and before all that is sought below the second child
-    /// of any disjoint descent that has the leaf below its first. `[ORDER-3]`
+    /// Returns whether the best candidate is in this leaf, and before all candidates below the second child of any
+    /// disjoint descent that has the leaf below its first child. `[ORDER-3]`
     #[inline]
     fn found_at(&self, _leaf: Node) -> bool {
         false
     }
 
-    /// Where the child begins that this descent from `node` has postponed, in any measure that orders as the distance
-    /// does (the bits of a positive float are one): what a traversal keeps that prunes by distance. It may begin
-    /// later, never earlier.
+    /// Returns the start of the child that this descent from `node` has postponed, in any measure with the order of
+    /// distances (such as the bits of a positive float). Traversals that prune by distance store it. The child may
+    /// begin later, never earlier.
     #[inline]
     fn postponed(&self, _node: Node, _descent: Descent) -> u32 {
         0
     }
 
-    /// Where the search ends by now, in the same measure, or later: nodes that begin beyond it are not wanted any more.
+    /// Returns the current end of the search in the same measure, or a greater number: nodes that begin beyond it are
+    /// no longer wanted.
     #[inline]
     fn end(&self) -> u32 {
         u32::MAX
     }
 }
 
-/// A search of which nothing is left out, for those who take one that [may be pruned](Pruned).
+/// A search without pruning, for functions that require one that [may be pruned](Pruned).
 #[derive(Clone, Copy, Debug)]
 pub struct Unpruned<V>(pub V);
 
@@ -187,20 +186,20 @@ impl<V: Visitor> Pruned for Unpruned<V> {}
 
 impl<V: Repeatable> Repeatable for Unpruned<V> {}
 
-/// A search whose answer does not change if it is shown nodes that it did not want, or leaves that it has seen: closest
-/// hit, any hit and nearest point are such, all hits are not.
+/// A search whose answer does not change if it visits unwanted nodes or repeated leaves. Closest hit, any hit and
+/// nearest point are repeatable; all hits are not.
 ///
-/// Only they can be taken up again from a key alone: [`KeyOnly`](crate::traverse::KeyOnly). `[PAUSE-4]`
+/// Only repeatable searches can be resumed from a key alone: [`KeyOnly`](crate::traverse::KeyOnly). `[PAUSE-4]`
 pub trait Repeatable: Visitor {}
 
-/// A search that tests a node itself, at its visit, instead of its two children at the parent's.
+/// A search that tests each node at its own visit, instead of its two children at the parent's.
 ///
-/// Barringer & Akenine-Möller's Algorithm 1, skip pointers and Hapala's traversal are built for it.
+/// Barringer & Akenine-Möller's Algorithm 1, skip pointers and Hapala's traversal require it.
 pub trait NodeTest {
-    /// Whether the subtree below this inner node is wanted.
+    /// Returns whether the subtree below this inner node is wanted.
     fn accept(&mut self, node: Node) -> bool;
 
-    /// Looks into a leaf, which nobody has tested before.
+    /// Processes a leaf, which has not been tested before.
     fn leaf(&mut self, node: Node) -> Flow;
 }
 
@@ -257,9 +256,9 @@ impl<T: NodeTest + ?Sized> NodeTest for &mut T {
     }
 }
 
-/// An order that is known before the traversal starts: the same at every visit of a node.
+/// An order that is known before the traversal starts, and is the same at every visit of a node.
 pub trait FixedOrder {
-    /// The child of this inner node that comes first.
+    /// Returns the child of this inner node that comes first.
     fn first(&self, node: Node) -> Side;
 }
 
@@ -274,13 +273,13 @@ impl FixedOrder for LeftOrder {
     }
 }
 
-/// Near child by the sign of the ray's direction on the axis along which the node was split.
+/// Near child by the sign of the ray's direction on the split axis of the node.
 #[derive(Clone, Copy, Debug)]
 pub struct SignOrder<'a> {
-    /// Split axis (0, 1, 2) of each inner node, by [`Node::index`], plus [`REVERSED`](Self::REVERSED) where the left
-    /// child holds the greater coordinates.
+    /// Split axis (0, 1, 2) of each inner node, by [`Node::index`], plus [`REVERSED`](Self::REVERSED) if the left child
+    /// holds the greater coordinates.
     pub axes: &'a [u8],
-    /// Bit `a` is set where the direction's component `a` is negative.
+    /// Bit `a` is set if the direction's component `a` is negative.
     pub octant: u8,
 }
 
@@ -290,7 +289,7 @@ impl SignOrder<'_> {
 }
 
 impl FixedOrder for SignOrder<'_> {
-    /// The child with the smaller coordinates comes first unless the ray runs towards them.
+    /// The child with the smaller coordinates comes first unless the ray runs towards smaller coordinates.
     #[inline]
     fn first(&self, node: Node) -> Side {
         let axis = self.axes[node.index()];
@@ -299,7 +298,7 @@ impl FixedOrder for SignOrder<'_> {
     }
 }
 
-/// Turns a node test and a fixed order into a visitor: accepted nodes want both children.
+/// Converts a node test and a fixed order into a visitor: accepted nodes want both children.
 #[derive(Debug)]
 pub struct ByNode<T, O> {
     /// The test.

@@ -1,8 +1,8 @@
 //! The swap mask: a path in any order, from a counter that always goes left first.
 //!
-//! Barringer & Akenine-Möller (2013, Section 2.2) walk as if every left child came first, and keep apart, in a mask,
-//! the levels at which the children were swapped. The index of a node within its level is then a composition of one
-//! swap for each such level, and that composition is one exclusive or.
+//! Barringer & Akenine-Möller (2013, Section 2.2) traverse as if every left child came first, and record in a mask the
+//! levels at which the children were swapped. The index of a node within its level is then a composition of one swap
+//! for each such level, and that composition is one exclusive or.
 //!
 //! ```
 //! use stackless_bvh::swap;
@@ -12,9 +12,9 @@
 
 use crate::key::{KeyWord, Word};
 
-/// Index after swapping the levels in `mask`. `[SWAP-3]`
+/// Returns the index after swaps of the levels in `mask`. `[SWAP-3]`
 ///
-/// Equal to [`fcomp_printed`]: where a bit of the mask is set, `x + m - 2 (x & m)` toggles it, without carries.
+/// Equal to [`fcomp_printed`]: `x + m - 2 (x & m)` toggles each bit that is set in the mask, without carries.
 #[inline]
 pub fn fcomp<W: Word>(index: W, mask: &W) -> W {
     index.xor(mask)
@@ -33,7 +33,7 @@ pub fn swap_level<W: Word>(index: W, bit: &W) -> W {
     fcomp_printed(index, bit)
 }
 
-/// The swaps of all levels in `mask` one after the other, lowest first. `[SWAP-4]`
+/// Applies the swaps of all levels in `mask` one after the other, lowest first. `[SWAP-4]`
 pub fn swap_levels<W: KeyWord>(mut index: W, mask: &W) -> W {
     let (mut rest, mut bit) = (mask.clone(), W::one());
     while !rest.is_zero() {

@@ -1,6 +1,6 @@
-//! Work for all threads, and with the feature `parallel` off for the one that calls. What comes out is the same.
+//! Work for all threads, or without the feature `parallel` for the calling thread. The results are the same.
 //!
-//! The only place that names rayon: call sites carry no `cfg`.
+//! Only this module names rayon: call sites have no `cfg`.
 #![cfg_attr(not(feature = "rays"), allow(dead_code, reason = "the core shares little work"))]
 #![cfg_attr(not(feature = "parallel"), allow(unused_variables, reason = "one thread takes all at once"))]
 
@@ -14,21 +14,21 @@ use rayon::prelude::*;
 #[cfg(feature = "rays")]
 pub(crate) use floats::guarded;
 
-/// Watches over how threads compute with floats. `[ENV-1]`
+/// Checks of the floating-point arithmetic of threads. `[ENV-1]`
 #[cfg(feature = "rays")]
 mod floats {
     use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
     use crate::environment::{EnvironmentError, check_environment};
 
-    /// How many tasks were begun on threads whose floats are of no use, by the reason.
+    /// Number of tasks that started on threads with invalid arithmetic, by error.
     static UNFIT: [(EnvironmentError, AtomicUsize); 2] =
         [(EnvironmentError::Subnormals, AtomicUsize::new(0)), (EnvironmentError::Rounding, AtomicUsize::new(0))];
 
-    /// What the work gives, if all threads that took part in it compute as they should.
+    /// Returns the result of the work, if all participating threads have valid arithmetic.
     ///
-    /// Work that another thread does at the same time counts too, so that it may be refused for another's sake: either
-    /// way there is a thread that is of no use.
+    /// Concurrent work of another thread counts too. So it may be refused because of that work: in either case there is
+    /// a thread with invalid arithmetic.
     pub(crate) fn guarded<A>(work: impl FnOnce() -> A) -> Result<A, EnvironmentError> {
         check_environment()?;
         let before = counts();
@@ -43,7 +43,7 @@ mod floats {
         UNFIT.each_ref().map(|(_, count)| count.load(Relaxed))
     }
 
-    /// To be called where a task begins. Who waits for the task sees what it has counted.
+    /// Call it at the start of a task. A thread that waits for the task sees its counts.
     #[cfg(feature = "parallel")]
     pub(super) fn probe() {
         if let Err(found) = check_environment() {
@@ -52,13 +52,13 @@ mod floats {
     }
 }
 
-/// A core without rays has no floats.
+/// A core without rays uses no floats.
 #[cfg(all(feature = "parallel", not(feature = "rays")))]
 mod floats {
     pub(super) const fn probe() {}
 }
 
-/// How many threads share the work.
+/// Returns the number of threads that share the work.
 pub(crate) fn count() -> usize {
     #[cfg(feature = "parallel")]
     let count = rayon::current_num_threads();
@@ -67,7 +67,7 @@ pub(crate) fn count() -> usize {
     count
 }
 
-/// Does both.
+/// Runs both functions.
 pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     #[cfg(feature = "parallel")]
     rayon::join(a, || {
@@ -81,15 +81,15 @@ pub(crate) fn join(a: impl FnOnce() + Send, b: impl FnOnce() + Send) {
     }
 }
 
-/// What `f` makes of each index, in order. A thread takes at least `least` at once: so many are done by the one that
-/// calls, and no other thread is started or woken for them.
+/// Returns `f` of each index, in order. A thread takes at least `least` indices at a time: for this number, the calling
+/// thread does the work, and no other thread is started or woken.
 pub(crate) fn map<A: Send>(range: Range<usize>, least: usize, f: impl Fn(usize) -> A + Sync + Send) -> Vec<A> {
     let mut all = Vec::new();
     map_into(&mut all, range, least, f);
     all
 }
 
-/// [`map`] into an empty vector, which does not grow if it has room for all.
+/// Computes [`map`] into an empty vector, which does not grow if it has room for all.
 pub(crate) fn map_into<A: Send>(
     all: &mut Vec<A>,
     range: Range<usize>,
@@ -104,7 +104,7 @@ pub(crate) fn map_into<A: Send>(
     all.extend(range.map(f));
 }
 
-/// [`map`] with something that a thread keeps from one index to the next, and that must not change what comes out.
+/// Computes [`map`] with a value that a thread reuses for each index, and that must not change the results.
 pub(crate) fn map_with<M, A: Send>(
     range: Range<usize>,
     least: usize,
@@ -127,7 +127,8 @@ pub(crate) fn map_with<M, A: Send>(
     mapped
 }
 
-/// Maps chunks, and merges neighbours until one is left; `None` of nothing. Both may be grouped in any way.
+/// Maps chunks, and merges neighbours until one is left; `None` for no items. Any grouping must be valid for both
+/// functions.
 pub(crate) fn reduce<T: Sync, A: Send>(
     items: &[T],
     chunk: usize,
@@ -150,7 +151,7 @@ pub(crate) fn append<T: Copy + Send + Sync>(all: &mut Vec<T>, parts: &[&[T]]) {
             Some(*sum)
         };
         let ends: Vec<_> = parts.iter().scan(0, sum).collect();
-        // A task takes items that follow each other, so it looks for their part from that of the one before.
+        // A task takes consecutive items, so it searches for their part from that of the previous item.
         let begin = || {
             floats::probe();
             0
@@ -171,7 +172,7 @@ pub(crate) fn append<T: Copy + Send + Sync>(all: &mut Vec<T>, parts: &[&[T]]) {
     }
 }
 
-/// Changes each item. A thread takes at least `least` at once.
+/// Changes each item. A thread takes at least `least` items at a time.
 pub(crate) fn update<T: Send>(items: &mut [T], least: usize, f: impl Fn(&mut T) + Sync + Send) {
     #[cfg(feature = "parallel")]
     items.par_iter_mut().with_min_len(least).for_each_init(floats::probe, |(), item| f(item));
@@ -179,8 +180,8 @@ pub(crate) fn update<T: Send>(items: &mut [T], least: usize, f: impl Fn(&mut T) 
     items.iter_mut().for_each(f);
 }
 
-/// The same, by this thread alone if the floats of one that helps are of no use. To change an item twice must be as to
-/// change it once.
+/// Changes each item, on this thread alone if a participating thread has invalid arithmetic. To change an item twice
+/// must be equal to changing it once.
 #[cfg(feature = "rays")]
 pub(crate) fn update_anyway<T: Send>(items: &mut [T], least: usize, f: impl Fn(&mut T) + Sync + Send) {
     if guarded(|| update(items, least, &f)).is_err() {
@@ -188,7 +189,7 @@ pub(crate) fn update_anyway<T: Send>(items: &mut [T], least: usize, f: impl Fn(&
     }
 }
 
-/// Sorts; equal items may change places, so there should be none that differ.
+/// Sorts; equal items may change places, so equal items should not differ.
 pub(crate) fn sort_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Sync) {
     #[cfg(feature = "parallel")]
     items.par_sort_unstable_by(order);

@@ -1,13 +1,13 @@
 //! The bit trail, and backtracking in constant time.
 //!
-//! Bit `i` of a trail says that the sibling of the ancestor `i` levels up has been postponed (bit 0: the node's own
-//! sibling). Descending shifts the trail with the key; backtracking drops as many levels as there are trailing
-//! zeros and toggles the lowest bit of both, which moves to the postponed sibling and marks it as no longer
-//! postponed (Binder & Keller 2016, Section 2.2). A trail of 0 means that nothing is left.
+//! Bit `i` of a trail is set if the sibling of the ancestor `i` levels up is postponed (bit 0: the node's own sibling).
+//! Descending shifts the trail with the key. Backtracking drops the trailing zeros, one level each, and toggles the
+//! lowest bit of both words. This moves to the postponed sibling and marks it as no longer postponed (Binder & Keller
+//! 2016, Section 2.2). A trail of 0 means that no node is postponed.
 //!
-//! [`backtrack`] is the constant-time form, [`backtrack_climbing`] the loop that Áfra & Szirmay-Kalos (2014) run;
-//! they are equal for every trail but 0. The counter of Barringer & Akenine-Möller (2013) is the trail's complement
-//! below the depth, see [`counter`].
+//! [`backtrack`] is the constant-time form, [`backtrack_climbing`] the loop of Áfra & Szirmay-Kalos (2014); they are
+//! equal for every trail but 0. The counter of Barringer & Akenine-Möller (2013) is the trail's complement below the
+//! depth, see [`counter`].
 //!
 //! ```
 //! use stackless_bvh::trail;
@@ -17,19 +17,20 @@
 
 use crate::key::{KeyWord, Word};
 
-/// Trail of the child that is entered; `both` is 1 if its sibling is postponed, else 0. `[TRAIL-2]`
+/// Returns the trail of the child that is entered; `both` is 1 if its sibling is postponed, 0 if not. `[TRAIL-2]`
 #[inline]
 pub fn child<W: Word>(trail: W, both: W) -> W {
     trail.shl1().or(&both)
 }
 
-/// Levels between a node and the ancestor whose sibling comes next. The trail must not be 0. `[TRAIL-3]`
+/// Returns the number of levels between a node and the ancestor whose sibling comes next. The trail must not be 0.
+/// `[TRAIL-3]`
 #[inline]
 pub fn levels<W: Word>(trail: &W) -> W::Shift {
     trail.trailing_zeros()
 }
 
-/// Key and trail of the most recently postponed node. The trail must not be 0. `[TRAIL-4]`
+/// Returns key and trail of the most recently postponed node. The trail must not be 0. `[TRAIL-4]`
 ///
 /// Binder & Keller 2016, Algorithm 1, "Backtracking". The lowest bit of the new trail is 0.
 #[inline]
@@ -38,16 +39,16 @@ pub fn backtrack<W: Word>(key: W, trail: W) -> (W, W) {
     (key, leave(trail))
 }
 
-/// The trail's half of [`backtrack`], for traversals that carry no key.
+/// Computes the trail's half of [`backtrack`], for traversals without a key.
 #[inline]
 pub fn leave<W: Word>(trail: W) -> W {
     let levels = levels(&trail);
     trail.shr(levels).xor(&W::one())
 }
 
-/// [`backtrack`] as the loop that it replaces: climb while bit 0 is clear, then toggle. `[TRAIL-5]`
+/// Computes [`backtrack`] by the loop that it replaces: climb while bit 0 is clear, then toggle. `[TRAIL-5]`
 ///
-/// A trail of 0 has nothing to climb to and gives 0 and 0.
+/// A trail of 0 has no target and gives 0 and 0.
 pub fn backtrack_climbing<W: KeyWord>(mut key: W, mut trail: W) -> (W, W) {
     if trail.is_zero() {
         return (W::zero(), W::zero());
@@ -59,17 +60,17 @@ pub fn backtrack_climbing<W: KeyWord>(mut key: W, mut trail: W) -> (W, W) {
     (key.xor(&W::one()), trail.xor(&W::one()))
 }
 
-/// Whether the sibling of the current node is postponed: bit 0 of its trail.
+/// Returns whether the sibling of the current node is postponed: bit 0 of its trail.
 #[inline]
 pub fn is_pending<W: KeyWord>(trail: &W) -> bool {
     trail.low_bits() & 1 == 1
 }
 
-/// Barringer & Akenine-Möller's `levelIndex` of a node, from its trail and `level_start` = two to its depth:
-/// the complement of the trail below the depth. Its own inverse. `[TRAIL-6]`
+/// Returns Barringer & Akenine-Möller's `levelIndex` of a node, from its trail and `level_start` = two to its depth:
+/// the complement of the trail below the depth. It is its own inverse. `[TRAIL-6]`
 ///
-/// So `ctz(counter + 1)` is `ctz(trail)` where the trail is not 0, and the trail is 0 where the counter is all ones:
-/// their traversals can stop there, without the climb to the root that they print.
+/// So `ctz(counter + 1)` is `ctz(trail)` if the trail is not 0, and the trail is 0 if the counter is all ones: their
+/// traversals can stop there, without the printed climb to the root.
 ///
 /// ```
 /// use stackless_bvh::trail;

@@ -16,49 +16,49 @@ pub(super) const VERSION: u32 = 2;
 const HEADER_BYTES: usize = 8 + 10 * 4 + 6 * 4;
 const NODE_BYTES: usize = 64;
 const LEAF_BYTES: usize = 16;
-/// Of hierarchies in double precision: origin and exponent.
+/// The frame of hierarchies in double precision: origin and exponent.
 const FRAME_BYTES: usize = 3 * 8 + 4;
 
-/// What `recorded` is in a file, by position.
+/// The values of `recorded` in a file, by position.
 const RECORDED: [Recorded; 3] = [Recorded::Nothing, Recorded::ParentSibling, Recorded::Uncles];
 
-/// Why bytes are not a hierarchy, of which `E` says what can be wrong.
+/// Errors of decoding; `E` is the validation error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FileError<E> {
-    /// They are fewer than the header or its counts say, or more.
+    /// The length does not match the header or its counts.
     #[error("{found} bytes, expected {expected}")]
     Length {
-        /// Number of bytes that there should be.
+        /// Expected number of bytes.
         expected: u64,
-        /// Number of bytes.
+        /// Actual number of bytes.
         found: usize,
     },
-    /// They do not begin as such a hierarchy does.
+    /// The magic number is invalid.
     #[error("not such a hierarchy: it does not begin with {0}")]
     Magic(&'static str),
-    /// They are of another version of the format.
+    /// The version of the format is not supported.
     #[error("version {version} of the format, expected {VERSION}")]
     Version {
         /// Its number.
         version: u32,
     },
-    /// Coordinates of corners are of the other kind of numbers.
+    /// Coordinates of corners have another precision.
     #[error("coordinates of {found} bytes, expected {expected}")]
     Numbers {
-        /// Bytes of a coordinate that was asked for.
+        /// Bytes of a requested coordinate.
         expected: u32,
-        /// What the header says.
+        /// Bytes of a coordinate by the header.
         found: u32,
     },
     /// The bytes have changed since they were written.
     #[error("the checksum is {found:#018x}, not {stored:#018x}")]
     Checksum {
-        /// What stands at the end.
+        /// The checksum at the end of the file.
         stored: u64,
-        /// That of the bytes before it.
+        /// The checksum of the bytes before it.
         found: u64,
     },
-    /// A field of the header holds a number that means nothing.
+    /// A field of the header has an invalid value.
     #[error("header: {name} is {value}")]
     Field {
         /// Its name.
@@ -66,29 +66,29 @@ pub enum FileError<E> {
         /// The number.
         value: u32,
     },
-    /// What the bytes say is no sound hierarchy.
+    /// The bytes encode an unsound hierarchy.
     #[error(transparent)]
     Unsound(#[from] E),
-    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    /// This thread's floating-point arithmetic is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(EnvironmentError),
 }
 
-/// Why bytes are not a [`Bvh`].
+/// Errors of [`Bvh::from_bytes`].
 pub type BvhFileError = FileError<BvhError>;
 
 /// A corner that can be stored: [`Vec3`] or [`DVec3`].
 pub trait Stored: Vector {
-    /// Bytes of a coordinate, of which a corner has three, little-endian.
+    /// Bytes of a coordinate, little-endian; a corner has three coordinates.
     const REAL_BYTES: u32;
 
-    /// Whether boxes are in a [`Frame`] that is written too.
+    /// Whether boxes are in a [`Frame`] that is also written.
     const HAS_FRAME: bool;
 
     /// Appends the bytes of a coordinate.
     fn write_real(x: Self::Real, bytes: &mut Vec<u8>);
 
-    /// The coordinate that these bytes begin with. Missing ones are taken for zeros.
+    /// Reads the coordinate at the start of these bytes. Missing bytes count as zeros.
     fn read_real(bytes: &[u8]) -> Self::Real;
 
     /// Appends the bytes of a corner.
@@ -96,7 +96,7 @@ pub trait Stored: Vector {
         self.components().into_iter().for_each(|x| Self::write_real(x, bytes));
     }
 
-    /// The corner that these bytes begin with, likewise.
+    /// Reads the corner at the start of these bytes. Missing bytes count as zeros.
     fn read(bytes: &[u8]) -> Self {
         let mut reals = bytes.chunks(Self::REAL_BYTES as usize).map(Self::read_real);
         Self::from_components(array::from_fn(|_| reals.next().unwrap_or_default()))
@@ -104,8 +104,8 @@ pub trait Stored: Vector {
 }
 
 impl<V: Stored> Bvh<Triangle<V>> {
-    /// The hierarchy as bytes, about as many as [`bytes`](Self::bytes) says, with a checksum.
-    /// `[FILE-1]` `[FILE-2]` `[FILE-3]`
+    /// Encodes the hierarchy, with a checksum. The size is about [`bytes`](Self::bytes). `[FILE-1]` `[FILE-2]`
+    /// `[FILE-3]`
     ///
     /// ```
     /// use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -151,15 +151,15 @@ impl<V: Stored> Bvh<Triangle<V>> {
         bytes
     }
 
-    /// The hierarchy that these bytes are, sound in itself: all that [`validate`](super::validate()) checks without a
-    /// mesh has been checked, so that queries end and their answers are right for the triangles that it holds.
-    /// `[FILE-5]`
+    /// Decodes a hierarchy and checks that it is sound. It makes all checks of [`validate`](super::validate()) that
+    /// need no mesh: queries end, and their answers are correct for the triangles in it. `[FILE-5]`
     ///
-    /// Whether these are the triangles of some mesh is what [`validate`](super::validate()) tells. Nothing is allocated
-    /// before the length is known to be right, and then in proportion to it. The checksum finds damage, not intent.
+    /// [`validate`](super::validate()) checks whether these are the triangles of a given mesh. The decoder allocates
+    /// nothing before it has checked the length, and then in proportion to it. The checksum detects damage, not
+    /// deliberate changes.
     ///
-    /// Where triangles were cut in two, that their boxes cover them is checked in rational arithmetic. Bytes made up to
-    /// be slow to check can make that take long.
+    /// If triangles are divided, rational arithmetic checks that their boxes cover them. This check can take long for
+    /// bytes that are designed to be slow.
     ///
     /// # Errors
     /// [`BvhFileError`].
@@ -178,7 +178,7 @@ impl<V: Stored> Bvh<Triangle<V>> {
             return Err(field("dropped", dropped));
         }
 
-        // The length is that of all of these.
+        // The length is that of all these parts.
         let (frame, mut body) = body.split_at(frame_bytes::<V>());
         let frame = read_frame::<V>(frame).map_err(|exponent| field("exponent", exponent))?;
         let mut take = |count: u32, size: usize| {
@@ -240,8 +240,8 @@ impl Stored for DVec3 {
     }
 }
 
-/// The words of the header, the version first, and the body, of a file that has the right length and checksum. The
-/// header says the length.
+/// Returns the words of the header, the version first, and the body, of a file with correct length and checksum. The
+/// header determines the length.
 pub(super) fn opened<'b, E, const WORDS: usize>(
     bytes: &'b [u8],
     magic: &'static str,
@@ -266,7 +266,7 @@ pub(super) fn opened<'b, E, const WORDS: usize>(
     if stored == found { Ok((words, body)) } else { Err(FileError::Checksum { stored, found }) }
 }
 
-/// Bytes of a file with these counts.
+/// Returns the size of a file with these counts in bytes.
 fn file_bytes<V: Stored>(nodes: u32, leaves: u32, triangles: u32) -> u64 {
     let of = |count: u32, size: usize| u64::from(count) * size as u64;
     let fixed = HEADER_BYTES + frame_bytes::<V>() + size_of::<u64>();
@@ -288,7 +288,7 @@ pub(super) fn write_frame<V: Stored>(frame: &Frame, bytes: &mut Vec<u8>) {
     }
 }
 
-/// The frame, or what is not an exponent. An origin that is not finite is as bad as that.
+/// Reads the frame. The error is the invalid exponent, also if the origin is not finite.
 pub(super) fn read_frame<V: Stored>(bytes: &[u8]) -> Result<Frame, u32> {
     if !V::HAS_FRAME {
         return Ok(Frame::IDENTITY);
@@ -320,7 +320,7 @@ fn read_triangle<V: Stored>(bytes: &[u8]) -> LeafTriangle<Triangle<V>> {
     LeafTriangle { shape, prim }
 }
 
-/// The numbers that these bytes begin with. Missing bytes are taken for zeros.
+/// Reads the numbers at the start of these bytes. Missing bytes count as zeros.
 #[inline]
 pub(super) fn numbers<const SIZE: usize, const COUNT: usize>(bytes: &[u8]) -> [[u8; SIZE]; COUNT] {
     let (numbers, _) = bytes.as_chunks();

@@ -1,16 +1,16 @@
-//! Whether boxes cover a triangle: exact.
+//! Exact test whether boxes cover a triangle.
 
 use crate::geom::truth::{Number, RBig};
 use crate::geom::{Aabb, Frame, Triangle, Vector};
 
-/// Whether these closed boxes, in a frame, together hold the closed triangle; exact.
+/// Returns whether the union of these closed boxes, in a frame, contains the closed triangle; exact.
 pub(super) fn hold<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     surely_hold(frame, boxes, triangle) || covers(frame, boxes, triangle)
 }
 
-/// The same where it is easily seen, as nearly always after a build: false if it is not known.
+/// Decides easy cases, which are nearly all after a build: false if undecided.
 ///
-/// Each box in turn is taken away, of boxes that hold the parts of the triangle which are still to be found.
+/// Each box in turn is subtracted from boxes that contain the parts of the triangle which are not yet covered.
 fn surely_hold<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     let mut pending = vec![(frame.aabb(triangle), boxes)];
     while let Some((mut around, boxes)) = pending.pop() {
@@ -42,12 +42,12 @@ fn surely_hold<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>)
 /// The sides of a box: axis, and whether it is the upper one.
 const SIDES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)];
 
-/// The same in rational arithmetic.
+/// Decides by rational arithmetic.
 ///
-/// Each box in turn is taken away: what is left of a polygon beyond the first plane of the box, beyond the second
-/// within the first, and so on, are polygons again. What the boxes do not cover of a triangle is open in it, as they
-/// are closed, so it is empty or has as many dimensions as the triangle (fewer than two, if that is degenerate).
-/// Therefore polygons of fewer are dropped, and borders need no care.
+/// Each box in turn is subtracted: the rest of a polygon beyond the first plane of the box, beyond the second within
+/// the first, and so on, consists of polygons. Boxes are closed, so the uncovered part of a triangle is open in it.
+/// This part is empty or has the same dimension as the triangle (less than two if the triangle is degenerate).
+/// Therefore polygons of lower dimension are dropped, and borders need no special case.
 fn covers<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> bool {
     let Some(corners) = triangle.0.iter().map(|v| frame.exact(v.widen())).collect() else { return false };
     let mut pending = vec![(Polygon { corners }, boxes.to_vec())];
@@ -71,14 +71,14 @@ fn covers<V: Vector>(frame: &Frame, boxes: &[Aabb], triangle: &Triangle<V>) -> b
 
 type Point = [RBig; 3];
 
-/// Convex, of as many dimensions as the triangle.
+/// Convex, of the same dimension as the triangle.
 struct Polygon {
     corners: Vec<Point>,
 }
 
 impl Polygon {
-    /// Least and greatest coordinates, rounded to nearest. As rounding keeps the order, what is apart after it is
-    /// apart.
+    /// Returns the least and greatest coordinates, rounded to nearest. Rounding keeps the order, so parts that are
+    /// disjoint after it are disjoint.
     fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         let (mut lo, mut hi) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for corner in &self.corners {
@@ -91,8 +91,8 @@ impl Polygon {
         (lo, hi)
     }
 
-    /// What is beyond a plane across an axis, and what is not, where these have as many dimensions. If all is in the
-    /// plane, nothing is beyond.
+    /// Returns the parts beyond and before a plane across an axis, if they have the same dimension. If the polygon is
+    /// in the plane, no part is beyond.
     fn cut(self, axis: usize, is_upper: bool, plane: &RBig) -> (Option<Self>, Option<Self>) {
         let beyond = |corner: &Point| if is_upper { &corner[axis] - plane } else { plane - &corner[axis] };
         let heights: Vec<_> = self.corners.iter().map(beyond).collect();

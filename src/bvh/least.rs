@@ -1,4 +1,4 @@
-//! The least triangle below each node, for queries that many triangles answer equally well. `[NEAR-6]`
+//! The least triangle index below each node, for queries with many equally good answers. `[NEAR-6]`
 
 use std::sync::OnceLock;
 
@@ -7,12 +7,13 @@ use super::{Bvh, WideBvh};
 use crate::geom::lanes::Precision;
 use crate::tree::Node;
 
-/// Of inner nodes, by their index. It is made when it is first asked for: few queries do.
+/// The indices for inner nodes, computed at first use: few queries need them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Least(OnceLock<Box<[u32]>>);
 
 impl Least {
-    /// Of a node. There are so many inner ones, which stand before their children. `prims` are those of a leaf.
+    /// Returns the index for a node. There are `count` inner nodes, which come before their children. `prims` returns
+    /// the indices in a leaf.
     fn below<C, P>(&self, node: Node, count: usize, children: impl Fn(usize) -> C, prims: impl Fn(Node) -> P) -> u32
     where
         C: IntoIterator<Item = Node>,
@@ -23,7 +24,7 @@ impl Least {
             return of_leaf(node);
         }
         let table = self.0.get_or_init(|| {
-            // What is not known yet is taken for 0, which leaves nothing out.
+            // Unknown indices count as 0, which skips nothing.
             let mut least = vec![0; count];
             for i in (0..count).rev() {
                 let of = |child: Node| if child.is_leaf() { of_leaf(child) } else { least[child.index()] };
@@ -36,7 +37,7 @@ impl Least {
 }
 
 impl<S> Bvh<S> {
-    /// The least index of the triangles of a leaf, or below an inner node.
+    /// Returns the least index of the triangles of a leaf, or below an inner node.
     pub(crate) fn least_below(&self, node: Node) -> u32 {
         let prims = |leaf| self.leaf_triangles(leaf).iter().map(|held| held.prim);
         self.least.below(node, self.nodes().len(), |i| self.node(i).children, prims)
@@ -44,7 +45,7 @@ impl<S> Bvh<S> {
 }
 
 impl<const A: usize, V: Precision> WideBvh<A, V> {
-    /// The least index of the triangles of a leaf, or below an inner node.
+    /// Returns the least index of the triangles of a leaf, or below an inner node.
     pub(crate) fn least_below(&self, node: Node) -> u32 {
         let children = |i: usize| {
             let node = &self.nodes()[i];

@@ -1,9 +1,9 @@
 //! The bounding volume hierarchy of the ray tracer.
 //!
-//! An inner node holds the boxes of both children, so that one visit decides on both (Aila & Laine 2009,
-//! "Understanding the efficiency of ray traversal on GPUs"). Inner nodes and leaves are numbered apart, each in
-//! depth-first order: a left child that is an inner node follows its parent. Of two children, builders make the one of
-//! the larger surface the left one. Triangles lie in the order of the leaves.
+//! An inner node holds the boxes of both children, so one visit decides on both (Aila & Laine 2009, "Understanding the
+//! efficiency of ray traversal on GPUs"). Inner nodes and leaves have separate indices, each in depth-first order: a
+//! left child that is an inner node follows its parent. Builders put the child of larger surface on the left. Triangles
+//! are in the order of the leaves.
 
 mod build;
 mod bytes;
@@ -33,8 +33,9 @@ use least::Least;
 
 /// A binary bounding volume hierarchy over the triangles of a mesh, with a copy of their corners.
 ///
-/// Boxes are in single precision. Those of a [`Mesh`](crate::geom::Mesh) in double precision are rounded outwards, in a
-/// [frame](Self::frame) of their own: so they are as good far from the origin, and in any unit. `[FRAME-1]`
+/// Boxes are in single precision. Boxes of a [`Mesh`](crate::geom::Mesh) in double precision are rounded outwards, in a
+/// separate [frame](Self::frame) for each mesh. So they are equally tight far from the origin, and in any unit.
+/// `[FRAME-1]`
 ///
 /// ```
 /// use glam::Vec3;
@@ -58,101 +59,101 @@ pub struct Bvh<S = Triangle> {
     least: Least,
 }
 
-/// A triangle as a leaf holds it, by its corners or in another [`Shape`](crate::geom::Kernel::Shape) that a kernel
-/// wants.
+/// A triangle in a leaf, as its corners or as another [`Shape`](crate::geom::Kernel::Shape) of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct LeafTriangle<S = Triangle> {
-    /// Corners, as in the mesh, or what a kernel makes of them.
+    /// The corners, as in the mesh, or the kernel's precomputed form of them.
     pub shape: S,
     /// Index of the triangle in the mesh.
     pub prim: u32,
 }
 
 impl<S> Bvh<S> {
-    /// In which boxes are: [`Frame::IDENTITY`] over meshes in single precision.
+    /// Returns the frame of the boxes: [`Frame::IDENTITY`] over meshes in single precision.
     #[inline]
     pub fn frame(&self) -> &Frame {
         self.region.frame()
     }
 
-    /// Box of all triangles, in the [frame](Self::frame).
+    /// Returns the box of all triangles, in the [frame](Self::frame).
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
 
-    /// What the tests of a ray need to know of the whole.
+    /// Returns the properties of the whole hierarchy that ray tests need.
     #[inline]
     pub fn region(&self) -> &Region {
         &self.region
     }
 
-    /// How many degenerate triangles of the mesh were [left out](Degenerate::LeftOut).
+    /// Returns the number of degenerate triangles of the mesh that were [omitted](Degenerate::LeftOut).
     pub fn dropped(&self) -> usize {
         self.dropped
     }
 
-    /// How many references to triangles there are beyond the first of each: 0 unless spatial splits cut some in two.
+    /// Returns the number of references to triangles beyond the first of each: 0 unless spatial splits divided some
+    /// triangles.
     ///
-    /// A leaf's box holds all of its triangles where this is 0. Otherwise it holds those parts of them that other
-    /// leaves do not hold, and a query that looks at more than the closest hit meets some triangles again.
+    /// If this is 0, a leaf's box contains all of its triangles. Otherwise it contains the parts that the other leaves
+    /// of the triangle do not contain, and a query for more than the closest hit meets some triangles repeatedly.
     pub fn duplicates(&self) -> usize {
         self.duplicates
     }
 
-    /// Nodes and leaves, without the triangles: what a traversal is compiled for.
+    /// Returns nodes and leaves, without the triangles: the type for which traversals are compiled.
     #[inline]
     pub fn tree(&self) -> &BvhTree {
         &self.tree
     }
 
-    /// Inner nodes, by [`Node::index`].
+    /// Returns the inner nodes, by [`Node::index`].
     pub fn nodes(&self) -> &[BvhNode] {
         &self.tree.nodes
     }
 
-    /// Leaves, by [`Node::index`].
+    /// Returns the leaves, by [`Node::index`].
     pub fn leaves(&self) -> &[Leaf] {
         &self.tree.leaves
     }
 
-    /// All triangles, in the order of the leaves.
+    /// Returns all triangles, in the order of the leaves.
     pub fn triangles(&self) -> &[LeafTriangle<S>] {
         &self.triangles
     }
 
-    /// The inner node at index `i`, which must be one.
+    /// Returns the inner node at index `i`, which must exist.
     #[inline]
     pub fn node(&self, i: usize) -> &BvhNode {
         &self.tree.nodes[i]
     }
 
-    /// The leaf that holds the triangle at `place` in [`triangles`](Self::triangles), which must be one.
+    /// Returns the leaf of the triangle at `place` in [`triangles`](Self::triangles), which must exist.
     pub fn leaf_of(&self, place: usize) -> Node {
         let after = self.tree.leaves.partition_point(|leaf| leaf.first as usize <= place);
         Node::leaf(after.saturating_sub(1) as u32)
     }
 
-    /// Triangles of a leaf, which must be one of this tree.
+    /// Returns the triangles of a leaf, which must be in this tree.
     #[inline]
     pub fn leaf_triangles(&self, leaf: Node) -> &[LeafTriangle<S>] {
         &self.triangles[self.leaf_range(leaf)]
     }
 
-    /// Where in [`triangles`](Self::triangles) those of a leaf are, which must be one of this tree.
+    /// Returns the range of a leaf's triangles in [`triangles`](Self::triangles). The leaf must be in this tree.
     #[inline]
     pub fn leaf_range(&self, leaf: Node) -> Range<usize> {
         let Leaf { first, count, .. } = self.tree.leaves[leaf.index()];
         first as usize..first as usize + count as usize
     }
 
-    /// Axis (0, 1, 2) along which the middles of each inner node's children differ most, plus
-    /// [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED) where it is the right child whose middle is less.
+    /// Returns for each inner node the axis (0, 1, 2) along which the centers of its children differ most, plus
+    /// [`SignOrder::REVERSED`](crate::order::SignOrder::REVERSED) if the center of the right child is smaller.
     pub fn axes(&self) -> &[u8] {
         &self.tree.axes
     }
 
-    /// Each node's own box, by [`slot`](Topology::slot): the numbers that the parent's record holds, and
+    /// Returns each node's own box, by [`slot`](Topology::slot): the numbers of the parent's record, and
     /// [`bounds`](Self::bounds) for the root.
     pub fn own_boxes(&self) -> Vec<Aabb> {
         let mut boxes = vec![self.bounds; self.node_count()];
@@ -164,20 +165,20 @@ impl<S> Bvh<S> {
         boxes
     }
 
-    /// The same hierarchy with other references in the two free places of each record. Parent and sibling stand there
-    /// at first.
+    /// Returns this hierarchy with other references in the two free fields of each record. Initially they refer to
+    /// parent and sibling.
     #[must_use]
     pub fn with_links(mut self, recorded: Recorded) -> Self {
         self.tree.record(recorded);
         self
     }
 
-    /// Memory of nodes, leaves and triangles, in bytes. (Axes, which few traversals use, are not counted.)
+    /// Returns the memory of nodes, leaves and triangles, in bytes. (Axes, which few traversals use, are not counted.)
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.tree.nodes) + size_of_val(&*self.tree.leaves) + size_of_val(&*self.triangles)
     }
 
-    /// The same hierarchy with other shapes in its leaves, made from these.
+    /// Returns this hierarchy with other shapes in its leaves, computed from its triangles.
     #[must_use]
     pub fn map<T>(self, shape: impl Fn(S) -> T) -> Bvh<T> {
         let Self { dropped, duplicates, bounds, region, tree, triangles, least } = self;

@@ -1,42 +1,44 @@
-//! What a hierarchy is built over.
+//! The input of builders.
 
 use glam::Vec3;
 
 use crate::geom::{Aabb, Frame, Mesh, Triangle, Vector};
 
-/// Shapes with boxes, told apart by an index from 0 on: a [`Mesh`], or a slice of anything that is [`Bounded`].
+/// Shapes with boxes, indexed from 0: a [`Mesh`], or a slice of a [`Bounded`] type.
 pub trait Primitives: Sync {
-    /// What leaves hold of each.
+    /// The shape that leaves store.
     type Shape: Copy + Send + Sync;
 
-    /// How many there are.
+    /// Returns the number of shapes.
     fn count(&self) -> usize;
 
-    /// The shape with this index, which must be less than the [`count`](Self::count).
+    /// Returns the shape with this index, which must be less than the [`count`](Self::count).
     fn shape(&self, index: usize) -> Self::Shape;
 
-    /// In which boxes are.
+    /// Returns the frame of the boxes.
     fn frame(&self) -> Frame {
         Frame::IDENTITY
     }
 
-    /// The smallest box that holds all of the shape; a greater one makes queries slower, not wrong. One that is empty or
-    /// has a NaN is refused.
+    /// Returns the smallest box that contains the whole shape; a greater box makes queries slower, not wrong. An empty
+    /// box and a box with a NaN are refused.
     fn aabb(&self, index: usize) -> Aabb;
 
-    /// Whether any ray can meet the shape. Where none can, [`Degenerate`](super::Degenerate) says what becomes of it.
+    /// Returns whether any ray can meet the shape. [`Degenerate`](super::Degenerate) determines the treatment of other
+    /// shapes.
     fn can_be_hit(&self, _: usize) -> bool {
         true
     }
 
-    /// A box that holds all of the shape that is inside of `part`, and does not stick out of `part`. Smaller ones make
-    /// better hierarchies where shapes are cut in two.
+    /// Returns a box that contains the part of the shape inside `part`, and does not extend beyond `part`. Smaller
+    /// boxes make better hierarchies if shapes are divided.
     fn part(&self, index: usize, part: &Aabb) -> Aabb {
         self.aabb(index).intersection(part)
     }
 
-    /// The corners in the [frame](Self::frame), rounded, if the shape is a triangle. A builder that cuts shapes estimates by
-    /// them what a plane would do; without them it asks for many a [`part`](Self::part), which takes longer.
+    /// Returns the corners in the [frame](Self::frame), rounded, if the shape is a triangle. A builder that divides
+    /// shapes estimates the effect of a plane by them. Without corners it calls [`part`](Self::part) many times, which
+    /// takes longer.
     fn corners(&self, _: usize) -> Option<[Vec3; 3]> {
         None
     }
@@ -98,7 +100,7 @@ pub trait Primitives: Sync {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait Bounded {
-    /// The smallest box that holds all of the shape. One that is empty or has a NaN is refused.
+    /// Returns the smallest box that contains the whole shape. An empty box and a box with a NaN are refused.
     fn aabb(&self) -> Aabb;
 }
 

@@ -5,10 +5,10 @@ use crate::geom::{Aabb, EnvironmentError, Region, check_environment};
 use crate::order::Side;
 use crate::tree::Node;
 
-/// Why a hierarchy cannot take on other primitives. It is as before.
+/// Errors of [`Bvh::refit`]. The hierarchy is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RefitError {
-    /// There are more or fewer primitives than the hierarchy was built over.
+    /// The number of primitives differs from that at the build.
     #[error("{found} primitives, expected {expected} as at the build")]
     Count {
         /// Primitives that were given.
@@ -19,15 +19,15 @@ pub enum RefitError {
     /// The box of a primitive is empty or has a NaN.
     #[error("primitive {0} has no box")]
     NoBox(u32),
-    /// A primitive was left out as nothing could hit it, and now can be hit. The hierarchy has to be built anew.
+    /// A primitive that could not be hit was omitted, and now can be hit. The hierarchy must be rebuilt.
     #[error("primitive {0} was degenerate at the build and is no longer")]
     Revived(u32),
-    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    /// This thread's floating-point arithmetic is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
-/// Refuses primitives that can be hit, if a hierarchy that holds these was made without one of them.
+/// Refuses primitives that can be hit and that the hierarchy does not contain.
 pub(super) fn refuse_revived<P: Primitives + ?Sized>(
     primitives: &P,
     held: impl Iterator<Item = u32>,
@@ -44,11 +44,11 @@ pub(super) fn refuse_revived<P: Primitives + ?Sized>(
 }
 
 impl<S> Bvh<S> {
-    /// Takes on new shapes, and the smallest boxes that hold them, in the same tree.
+    /// Replaces the shapes, and computes the smallest boxes that contain them, in the same tree.
     ///
-    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. It takes a fraction of the
-    /// time of a build, and queries stay right. They get slower the more the shapes move relative to each other;
-    /// [`axes`](Self::axes) stay what they were.
+    /// If spatial splits divided triangles, each of their leaves now holds them whole. A refit takes a fraction of the
+    /// time of a build, and queries stay correct. They get slower the more the shapes move relative to each other;
+    /// [`axes`](Self::axes) do not change.
     ///
     /// ```
     /// use glam::Vec3;
@@ -65,7 +65,7 @@ impl<S> Bvh<S> {
     /// ```
     ///
     /// # Errors
-    /// What [`RefitError`] lists; then nothing has changed.
+    /// [`RefitError`]; then nothing has changed.
     pub fn refit<P: Primitives<Shape = S> + ?Sized>(&mut self, primitives: &P) -> Result<(), RefitError> {
         check_environment()?;
         let boxes = self.moved_boxes(primitives)?;
@@ -82,7 +82,7 @@ impl<S> Bvh<S> {
         Ok(())
     }
 
-    /// The new boxes of [`triangles`](Self::triangles), if all is well.
+    /// Returns the new boxes of [`triangles`](Self::triangles), if all checks pass.
     fn moved_boxes<P: Primitives<Shape = S> + ?Sized>(&self, primitives: &P) -> Result<Vec<Aabb>, RefitError> {
         let (found, expected) = (primitives.count(), self.triangles.len() + self.dropped - self.duplicates);
         if found != expected {
@@ -96,7 +96,7 @@ impl<S> Bvh<S> {
         self.triangles.iter().map(|held| aabb(held.prim)).collect()
     }
 
-    /// The box of a node below which all is done.
+    /// Returns the box of a node whose subtree is complete.
     fn box_of(&self, node: Node, boxes: &[Aabb]) -> Aabb {
         if node.is_leaf() {
             boxes[self.leaf_range(node)].iter().copied().fold(Aabb::EMPTY, Aabb::union)

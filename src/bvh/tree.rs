@@ -1,4 +1,4 @@
-//! The nodes of a hierarchy, whatever its leaves hold.
+//! The nodes of a hierarchy, independent of the leaf contents.
 
 use glam::Vec3;
 
@@ -7,7 +7,7 @@ use crate::order::Side;
 use crate::tree::{self, Node, Recorded, Topology};
 
 /// The tree of a [`Bvh`](super::Bvh): nodes and leaves without the triangles. Traversals run over this one type, so
-/// that they are not compiled for each shape of triangles anew.
+/// they are not compiled again for each shape.
 #[derive(Clone, Debug)]
 pub struct BvhTree {
     pub(super) root: Node,
@@ -26,7 +26,7 @@ pub struct BvhNode {
     pub planes: [[f32; 4]; 3],
     /// Left and right child.
     pub children: [Node; 2],
-    /// Two more references, as [`Topology::recorded`] says (Binder & Keller 2016, Fig. 4).
+    /// Two further references; [`Topology::recorded`] determines them (Binder & Keller 2016, Fig. 4).
     pub links: [Node; 2],
 }
 
@@ -38,17 +38,17 @@ pub struct Leaf {
     pub first: u32,
     /// Number of triangles.
     pub count: u32,
-    /// Two more references, as [`Topology::recorded`] says (Binder & Keller 2016, Fig. 5).
+    /// Two further references; [`Topology::recorded`] determines them (Binder & Keller 2016, Fig. 5).
     pub links: [Node; 2],
 }
 
 impl BvhTree {
-    /// Axis of each inner node, as [`Bvh::axes`](super::Bvh::axes) has it.
+    /// Returns the axis of each inner node, as [`Bvh::axes`](super::Bvh::axes).
     pub fn axes(&self) -> &[u8] {
         &self.axes
     }
 
-    /// Writes other references into the two free places of each record.
+    /// Writes other references into the two free fields of each record.
     pub(super) fn record(&mut self, recorded: Recorded) {
         self.recorded = recorded;
         let rows = tree::link_rows(self, recorded);
@@ -99,7 +99,7 @@ impl Topology for BvhTree {
 }
 
 impl BvhNode {
-    /// Box of a child.
+    /// Returns the box of a child.
     #[inline]
     pub fn child_box(&self, side: Side) -> Aabb {
         let at = |plane: usize| Vec3::from_array(self.planes.map(|axis| axis[2 * side.index() + plane]));

@@ -1,4 +1,4 @@
-//! Whether a hierarchy is sound, and that of a mesh.
+//! Validation of hierarchies.
 
 mod sound;
 
@@ -8,15 +8,15 @@ use super::Bvh;
 use crate::geom::{Mesh, Triangle, Vector};
 use crate::tree::Node;
 
-/// What is wrong with a hierarchy, and where.
+/// Errors of [`validate`], with their location.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BvhError {
     /// Inner nodes and leaves are not numbered in depth-first order, or a node is reached twice.
     #[error("{found:?} stands where depth-first order wants index {expected}")]
     Order {
-        /// Address that was found.
+        /// The address in the hierarchy.
         found: Node,
-        /// Index that was to come next.
+        /// The expected index.
         expected: usize,
     },
     /// A node or leaf is not reached from the root.
@@ -30,16 +30,16 @@ pub enum BvhError {
         /// Its axis.
         axis: Option<u8>,
     },
-    /// A record names other nodes than the hierarchy says: parent and sibling, or uncle and grand uncle.
+    /// A record's references are wrong: they are not parent and sibling, or not uncle and grand uncle.
     #[error("{0:?} names other relatives than its own")]
     Links(Node),
     /// A box has a NaN, or its `lo` is above its `hi` on some axis.
     #[error("the box of {0:?} has no points")]
     NoBox(Node),
-    /// A child's box sticks out of its parent's own box.
+    /// A child's box extends beyond its parent's own box.
     #[error("the box of {0:?} is not inside its parent's")]
     Nesting(Node),
-    /// A triangle sticks out of its leaf's box.
+    /// A triangle extends beyond its leaf's box.
     #[error("triangle {prim} is not inside the box of {leaf:?}")]
     Outside {
         /// The leaf.
@@ -47,7 +47,7 @@ pub enum BvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// A leaf is empty, or does not start where the leaf before it ends; or the last one does not end with the
+    /// A leaf is empty, or does not start where the previous leaf ends; or the last leaf does not end with the
     /// triangles.
     #[error("{0:?} does not hold the next range of triangles")]
     Range(Node),
@@ -59,7 +59,7 @@ pub enum BvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// A leaf's triangle is not one of the mesh: there are not so many, or it has other corners.
+    /// A leaf's triangle is not one of the mesh: its index is out of range, or its corners differ.
     #[error("triangle {prim} in {leaf:?} is not that of the mesh")]
     Triangle {
         /// The leaf.
@@ -67,7 +67,7 @@ pub enum BvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// Two leaves hold the same triangle, though there are to be no duplicates, or one leaf holds it twice.
+    /// Two leaves hold the same triangle although the hierarchy states no duplicates, or one leaf holds it twice.
     #[error("triangle {prim} is there again in {leaf:?}")]
     Twice {
         /// The second leaf.
@@ -83,13 +83,13 @@ pub enum BvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// A triangle sticks out of the boxes of all leaves that hold it together.
+    /// The boxes of all leaves that hold a triangle do not cover it together.
     #[error("triangle {0} is not covered by the boxes of its leaves")]
     Uncovered(u32),
-    /// The stored number of duplicates is not that of the references.
+    /// The stored number of duplicates differs from that of the references.
     #[error("there are {found} duplicates, not {stored}")]
     Duplicates {
-        /// What the hierarchy says.
+        /// The number in the hierarchy.
         stored: usize,
         /// References beyond the first of each triangle.
         found: usize,
@@ -97,10 +97,10 @@ pub enum BvhError {
     /// A triangle of the mesh that can be hit is in no leaf.
     #[error("triangle {0} is in no leaf")]
     Missing(u32),
-    /// The stored number of dropped triangles is not that of the mesh's triangles in no leaf.
+    /// The stored number of omitted triangles differs from that of the mesh's triangles in no leaf.
     #[error("{found} triangles were left out, not {stored}")]
     Dropped {
-        /// What the hierarchy says.
+        /// The number in the hierarchy.
         stored: usize,
         /// Triangles of the mesh in no leaf.
         found: usize,
@@ -108,25 +108,24 @@ pub enum BvhError {
     /// The stored depth is not that of the deepest leaf.
     #[error("the depth is {found}, not {stored}")]
     Depth {
-        /// What the hierarchy says.
+        /// The number in the hierarchy.
         stored: u32,
         /// Depth of its deepest leaf, in edges.
         found: u32,
     },
 }
 
-/// Checks that a hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be there).
+/// Checks that a hierarchy is sound and holds each triangle of the mesh (degenerate triangles may be missing).
 ///
-/// Sound are boxes that nest, nodes and leaves in depth-first order, known split axes, records that name the relatives
-/// which they are said to name, the depth that is stated, and triangles with finite corners, each inside of its leaf's
-/// box.
+/// A sound hierarchy has nested boxes, nodes and leaves in depth-first order, valid split axes, records with the
+/// correct relatives, the stated depth, and triangles with finite corners, each inside its leaf's box.
 ///
-/// A triangle is held once, unless there are to be [`duplicates`](Bvh::duplicates): then their number must be right,
-/// all references to a triangle must have the same corners, and where a triangle is not inside of the box of a leaf
-/// that holds it, the boxes of all its leaves must cover it, in exact arithmetic.
+/// A triangle is held once, unless the hierarchy states [`duplicates`](Bvh::duplicates). Then their number must be
+/// correct, and all references to a triangle must have the same corners. If a triangle is not inside the box of one of
+/// its leaves, the boxes of all its leaves must cover it, in exact arithmetic.
 ///
 /// # Errors
-/// Of the nodes the first fault in depth-first order; else that of the first triangle.
+/// The first node error in depth-first order; otherwise the error of the first triangle.
 pub fn validate<V: Vector>(bvh: &Bvh<Triangle<V>>, mesh: &Mesh<V>) -> Result<(), BvhError> {
     let references = sound::check(bvh)?;
     let mut is_held = vec![false; mesh.triangles().len()];

@@ -1,4 +1,4 @@
-//! How far backtracking goes, and where the address comes from (Binder & Keller 2016, Fig. 3).
+//! Distances of backtracks, and sources of addresses (Binder & Keller 2016, Fig. 3).
 
 use alloc::vec::Vec;
 
@@ -8,7 +8,7 @@ use crate::order::Flow;
 use crate::trail;
 use crate::tree::{Node, Reach};
 
-/// Where the address of the next node comes from.
+/// The source of the next node's address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Source {
     /// The register, set when the node was postponed.
@@ -27,7 +27,7 @@ impl Source {
     /// All sources.
     pub const ALL: [Self; 5] = [Self::Register, Self::Uncle, Self::GrandUncle, Self::Leaf, Self::Hash];
 
-    /// The name in tables and files.
+    /// Returns the name in tables and files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Register => "register",
@@ -38,7 +38,7 @@ impl Source {
         }
     }
 
-    /// What a record names for the lowest pending bit of a trail within its reach.
+    /// Returns the source in a record for the lowest pending bit of a trail within its reach.
     fn in_record(trail: u32, mask: u32) -> Option<Self> {
         match (trail & mask).trailing_zeros() {
             1 => Some(Self::Uncle),
@@ -49,21 +49,21 @@ impl Source {
     }
 }
 
-/// Counts backtracks by distance and by source. It watches a traversal that carries key and trail, and follows what the
-/// register of Algorithm 1 would hold for any reach of the records.
+/// Counts backtracks by distance and by source. It observes a traversal with key and trail, and simulates the register
+/// of Algorithm 1 for any reach of the records.
 #[derive(Clone, Debug)]
 pub struct Backtracks {
     reach: Reach,
-    /// By levels between the last node and the ancestor whose sibling comes next.
+    /// By levels between the previous node and the ancestor whose sibling comes next.
     distances: Vec<u64>,
     /// By [`Source`].
     sources: [u64; Source::ALL.len()],
-    /// The register: where its address came from.
+    /// The register: the source of its address.
     register: Option<Source>,
     last: Option<Last>,
 }
 
-/// The visit before.
+/// The previous visit.
 #[derive(Clone, Copy, Debug)]
 struct Last {
     depth: u32,
@@ -74,33 +74,33 @@ struct Last {
 }
 
 impl Backtracks {
-    /// Counts for records of this reach.
+    /// Creates counters for records of this reach.
     pub fn new(reach: Reach) -> Self {
         Self { reach, distances: Vec::new(), sources: [0; Source::ALL.len()], register: None, last: None }
     }
 
-    /// Forgets where the last traversal was, keeping the counts: call it before each.
+    /// Resets the position and keeps the counts: call it before each traversal.
     pub fn begin(&mut self) {
         self.last = None;
         self.register = None;
     }
 
-    /// Number of backtracks over each distance, in levels; 0 goes to the sibling.
+    /// Returns the number of backtracks over each distance, in levels; 0 goes to the sibling.
     pub fn distances(&self) -> &[u64] {
         &self.distances
     }
 
-    /// Number of backtracks served by a source.
+    /// Returns the number of backtracks served by a source.
     pub fn by(&self, source: Source) -> u64 {
         self.sources[source as usize]
     }
 
-    /// Number of backtracks.
+    /// Returns the number of backtracks.
     pub fn total(&self) -> u64 {
         self.sources.iter().sum()
     }
 
-    /// Adds the counts of another.
+    /// Returns the sum with other counts.
     #[must_use]
     pub fn merge(mut self, other: &Self) -> Self {
         self.distances.resize(self.distances.len().max(other.distances.len()), 0);
@@ -150,11 +150,11 @@ mod tests {
 
     #[test]
     fn what_is_said_to_come_from_the_table_was_looked_up() {
-        /// Compares what is followed with the register of the traversal at each visit.
+        /// Compares the simulated register with the register of the traversal at each visit.
         struct Compare(Backtracks, u64);
         impl Recorder for Compare {
             fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
-                // The traversal takes a node as late as it can, the printed algorithm as soon as it can.
+                // The traversal fills the register as late as possible, the printed algorithm as early as possible.
                 let state = state();
                 let held = state.register;
                 let flow = self.0.visit(node, || state);

@@ -1,11 +1,11 @@
-//! Scenes in double precision, and rays that are aimed at what rounding gets wrong there.
+//! Scenes in double precision, and rays that aim at rounding errors there.
 
 use glam::{DVec3, Vec3};
 
 use super::draw::{Draw, one_of};
 use crate::geom::{Mesh, MeshError, Ray};
 
-/// Moves a scene of single precision to somewhere else: `point * scale + shift`.
+/// A transformation of a scene in single precision: `point * scale + shift`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// Its name in reports.
@@ -14,11 +14,12 @@ pub struct Place {
     pub shift: DVec3,
     /// Factor of all lengths, before the shift.
     pub scale: f64,
-    /// Whether each coordinate of a corner is changed by up to 1e-12 of itself, so that single precision cannot hold it.
+    /// Whether each coordinate of a corner is changed by up to 1e-12 of itself, so that single precision cannot
+    /// represent it.
     pub is_perturbed: bool,
 }
 
-/// Where it is, with more digits, on the earth, tiny, and huge.
+/// The original position, with more digits, at the earth's radius, tiny, and huge.
 pub const PLACES: [Place; 5] = [
     Place { name: "as it is", shift: DVec3::ZERO, scale: 1.0, is_perturbed: false },
     Place { name: "perturbed", shift: DVec3::ZERO, scale: 1.0, is_perturbed: true },
@@ -28,10 +29,10 @@ pub const PLACES: [Place; 5] = [
 ];
 
 impl Place {
-    /// The mesh there.
+    /// Returns the transformed mesh.
     ///
     /// # Errors
-    /// [`MeshError`] where coordinates overflow.
+    /// [`MeshError`] if coordinates overflow.
     pub fn mesh(&self, mesh: &Mesh) -> Result<Mesh<DVec3>, MeshError> {
         let mut draw = Draw::named(self.name);
         let vertices = mesh.vertices().iter().map(|&v| {
@@ -41,7 +42,7 @@ impl Place {
         Mesh::new(vertices.collect(), mesh.triangles().to_vec())
     }
 
-    /// The ray there; distances are the same.
+    /// Returns the transformed ray; distances do not change.
     pub fn ray(&self, ray: &Ray) -> Option<Ray<DVec3>> {
         let direction = ray.direction().as_dvec3() * self.scale;
         Ray::within(self.point(ray.origin()), direction, ray.tmin().into(), ray.tmax().into()).ok()
@@ -52,12 +53,12 @@ impl Place {
     }
 }
 
-/// `n` adversarial rays for any mesh, the same for the same seed; fewer where numbers overflow.
+/// Returns `n` adversarial rays for any mesh, the same for the same seed; fewer if numbers overflow.
 ///
-/// In turn: at random; at a corner, at the middle of an edge, at another point of an edge; up to exactly a corner; along
-/// an axis through a corner; from a point of the surface; within the plane of a triangle, from a corner; with a component
-/// of 0, up to a corner or beside it; with a direction of any length; with a component next to 0; and from up to 2^40
-/// sizes away.
+/// The kinds alternate: at random; at a corner, at the middle of an edge, at another point of an edge; up to exactly a
+/// corner; along an axis through a corner; from a point of the surface; within the plane of a triangle, from a corner;
+/// with a component of 0, up to a corner or next to it; with a direction of any length; with a component close to 0;
+/// and from up to 2^40 sizes away.
 pub fn aimed(mesh: &Mesh<DVec3>, seed: u64, n: usize) -> Vec<Ray<DVec3>> {
     let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for &v in mesh.vertices() {

@@ -10,83 +10,83 @@ use crate::geom::Ray;
 pub struct Draw(Rng);
 
 impl Draw {
-    /// The stream of a seed.
+    /// Creates the stream of a seed.
     pub const fn new(seed: u64) -> Self {
         Self(Rng::new(seed))
     }
 
-    /// The stream of this name (its FNV-1a hash is the seed).
+    /// Creates the stream of a name (its FNV-1a hash is the seed).
     pub fn named(name: &str) -> Self {
         let step = |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
         Self::new(name.bytes().fold(0xcbf2_9ce4_8422_2325, step))
     }
 
-    /// `n` rays, each by the first of a bounded number of tries that is a ray.
+    /// Returns `n` rays, each from the first of a bounded number of tries that is a ray.
     ///
-    /// The closure gets the running number of the ray.
+    /// The closure receives the running number of the ray.
     pub fn rays(&mut self, n: usize, mut ray: impl FnMut(&mut Self, usize) -> Option<Ray>) -> Vec<Ray> {
         const TRIES: usize = 64;
         (0..n).filter_map(|i| (0..TRIES).find_map(|_| ray(self, i))).collect()
     }
 
-    /// In 0..n; 0 if `n` is 0.
+    /// Returns a number in 0..n; 0 if `n` is 0.
     pub fn below(&mut self, n: usize) -> usize {
         self.0.below(n as u64) as usize
     }
 
-    /// With a chance of one in `n`.
+    /// Returns true with a probability of one in `n`.
     pub fn one_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
     }
 
-    /// 1 or -1.
+    /// Returns 1 or -1.
     pub fn sign(&mut self) -> f32 {
         one_of([1.0, -1.0], self)
     }
 
-    /// In 0..1, a multiple of 2^-24.
+    /// Returns a number in 0..1, a multiple of 2^-24.
     pub fn unit(&mut self) -> f32 {
         (self.0.bits() >> 40) as f32 * exp2(-24)
     }
 
-    /// In `lo..hi`.
+    /// Returns a number in `lo..hi`.
     pub fn between(&mut self, lo: f32, hi: f32) -> f32 {
         lo + (hi - lo) * self.unit()
     }
 
-    /// A whole number from `-most` to `most`.
+    /// Returns an integer from `-most` to `most`.
     pub fn int(&mut self, most: i32) -> f32 {
         (self.below(2 * most.unsigned_abs() as usize + 1) as i32 - most) as f32
     }
 
-    /// Whole numbers from `-most` to `most`.
+    /// Returns a vector of integers from `-most` to `most`.
     pub fn ints(&mut self, most: i32) -> Vec3 {
         Vec3::new(self.int(most), self.int(most), self.int(most))
     }
 
-    /// Of either sign, with the exponent evenly from `lo` to `hi`.
+    /// Returns a number of either sign, with the exponent evenly from `lo` to `hi`.
     pub fn float(&mut self, lo: i32, hi: i32) -> f32 {
         let exponent = lo + self.below((hi - lo).unsigned_abs() as usize + 1) as i32;
         self.sign() * (1.0 + self.unit()) * exp2(exponent)
     }
 
-    /// Each component by [`float`](Self::float).
+    /// Returns a vector with each component by [`float`](Self::float).
     pub fn floats(&mut self, lo: i32, hi: i32) -> Vec3 {
         Vec3::new(self.float(lo, hi), self.float(lo, hi), self.float(lo, hi))
     }
 
-    /// A double at a threshold of the format, of either sign: up to two floats from 0, from a power of two, which is often
-    /// the least normal number or 1, or from the greatest number. One in eight has random digits.
+    /// Returns a double at a threshold of the format, of either sign: up to two floats from 0, from a power of two,
+    /// which is often the least normal number or 1, or from the greatest number. One in eight has random digits.
     pub fn threshold(&mut self) -> f64 {
         f64::from_bits(self.threshold_bits(52, 0x7ff) | (self.below(2) as u64) << 63)
     }
 
-    /// The same in single precision.
+    /// Returns a number at a threshold of single precision, as [`threshold`](Self::threshold).
     pub fn threshold_in_single(&mut self) -> f32 {
         f32::from_bits(self.threshold_bits(23, 0xff) as u32 | (self.below(2) as u32) << 31)
     }
 
-    /// The bits of such a magnitude, where infinity has this exponent.
+    /// Returns the bits of such a magnitude, in a format where infinity has this exponent.
     fn threshold_bits(&mut self, digits: u32, infinity: u64) -> u64 {
         let place = match self.below(8) {
             0 => 0,
@@ -102,17 +102,17 @@ impl Draw {
         (place + self.below(5) as u64).saturating_sub(2)
     }
 
-    /// In the cube from 0 to 1.
+    /// Returns a point in the cube from 0 to 1.
     pub fn cube(&mut self) -> Vec3 {
         Vec3::new(self.unit(), self.unit(), self.unit())
     }
 
-    /// In the cube from -1 to 1.
+    /// Returns a point in the cube from -1 to 1.
     pub fn centred(&mut self) -> Vec3 {
         self.cube() * 2.0 - 1.0
     }
 
-    /// Of unit length, evenly distributed.
+    /// Returns a vector of unit length, evenly distributed.
     pub fn direction(&mut self) -> Vec3 {
         loop {
             let p = self.centred();
@@ -122,31 +122,31 @@ impl Draw {
         }
     }
 
-    /// Zeros of random signs.
+    /// Returns zeros of random signs.
     pub fn zeros(&mut self) -> Vec3 {
         Vec3::new(self.sign(), self.sign(), self.sign()) * 0.0
     }
 
-    /// Along or against an axis, with zeros of random signs.
+    /// Returns a direction along or against an axis, with zeros of random signs.
     pub fn axis(&mut self) -> Vec3 {
         let (axis, mut direction) = (self.below(3), self.zeros());
         direction[axis] = self.sign();
         direction
     }
 
-    /// Up to `most` floats away, in each component.
+    /// Returns a vector up to `most` floats away, in each component.
     pub fn nudged(&mut self, v: Vec3, most: i32) -> Vec3 {
         let by = self.ints(most);
         Vec3::new(nudge(v.x, by.x as i32), nudge(v.y, by.y as i32), nudge(v.z, by.z as i32))
     }
 }
 
-/// One of these (at least one). The choices come first because they may be drawn, too.
+/// Returns one of these (at least one). The choices come first because they may also be drawn.
 pub fn one_of<T: Copy, const N: usize>(choices: [T; N], draw: &mut Draw) -> T {
     choices[draw.below(N)]
 }
 
-/// 2 to this power, which is cut off to what a float can hold (-149 to 127).
+/// Returns 2 to this power, clamped to the range of a float (-149 to 127).
 pub const fn exp2(power: i32) -> f32 {
     match power {
         ..-148 => f32::from_bits(1),
@@ -156,7 +156,7 @@ pub const fn exp2(power: i32) -> f32 {
     }
 }
 
-/// The float so many above, or below if negative.
+/// Returns the float this many steps above, or below if negative.
 pub fn nudge(x: f32, floats: i32) -> f32 {
     (0..floats.unsigned_abs()).fold(x, |x, _| if floats > 0 { x.next_up() } else { x.next_down() })
 }

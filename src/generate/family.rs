@@ -12,13 +12,13 @@ use crate::tree::Tree;
 pub enum Family {
     /// All shapes with the given number of leaves, equally likely (Rémy 1985).
     Catalan,
-    /// Leaves split unevenly: one side gets about the ninth part.
+    /// Leaves split unevenly: one side gets about one ninth.
     Skew,
     /// All leaves at one depth.
     Complete,
-    /// One chain of inner nodes, each with a leaf beside the next, on either side.
+    /// One chain of inner nodes; each has a leaf as the sibling of the next, on either side.
     Comb,
-    /// A chain of inner nodes, each with a short comb beside the next.
+    /// A chain of inner nodes; each has a short comb as the sibling of the next.
     Caterpillar,
     /// The subtrees of a node differ in depth by one: the sparsest balanced trees.
     Fibonacci,
@@ -29,7 +29,7 @@ impl Family {
     pub const ALL: [Self; 6] =
         [Self::Catalan, Self::Skew, Self::Complete, Self::Comb, Self::Caterpillar, Self::Fibonacci];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Catalan => "catalan",
@@ -41,10 +41,10 @@ impl Family {
         }
     }
 
-    /// The children of every node of a tree with about `leaves` leaves (at least 1), for [`Tree::new`].
+    /// Returns the children of every node of a tree with about `leaves` leaves (at least 1), for [`Tree::new`].
     ///
-    /// A comb has exactly that many, so it is `leaves - 1` deep. A complete or Fibonacci tree has the next number
-    /// below that its shape allows. Node 0 is the root.
+    /// A comb has exactly that number, so it is `leaves - 1` deep. A complete or Fibonacci tree has the next lower
+    /// number that its shape allows. Node 0 is the root.
     pub fn children(self, source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
         let leaves = leaves.max(1);
         match self {
@@ -76,7 +76,7 @@ impl Family {
         }
     }
 
-    /// Such a tree, validated.
+    /// Returns such a tree, validated.
     pub fn tree(self, source: &mut impl Source, leaves: u32) -> Tree {
         Tree::from_generated(&self.children(source, leaves))
     }
@@ -84,13 +84,13 @@ impl Family {
 
 named!(Family);
 
-/// Any shape with `leaves` leaves, by how many of them go left at each node: with the enumerating source, every shape
-/// exactly once.
+/// Returns any shape with `leaves` leaves, by the number of leaves on the left of each node: with the enumerating
+/// source, every shape exactly once.
 pub fn shape(source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
     grow(leaves.max(1), |leaves| 1 + source.below(u64::from(leaves) - 1) as u32)
 }
 
-/// A tree from the number of leaves on the left of each inner node, without recursion.
+/// Builds a tree from the number of leaves on the left of each inner node, without recursion.
 fn grow(leaves: u32, mut left_leaves: impl FnMut(u32) -> u32) -> Vec<Option<[u32; 2]>> {
     let mut children = Vec::with_capacity(2 * leaves as usize);
     children.push(None);
@@ -107,7 +107,7 @@ fn grow(leaves: u32, mut left_leaves: impl FnMut(u32) -> u32) -> Vec<Option<[u32
     children
 }
 
-/// Leaves on the left where `leaves` is a Fibonacci number: the larger of the two before it.
+/// Returns the leaves on the left if `leaves` is a Fibonacci number: the larger of the two previous numbers.
 fn fibonacci_split(leaves: u32) -> u32 {
     let (mut small, mut large) = (1, 1);
     while large + small < leaves {
@@ -116,13 +116,14 @@ fn fibonacci_split(leaves: u32) -> u32 {
     large
 }
 
-/// Rémy's algorithm: put a new inner node with a new leaf on any edge, on either side, until there are enough.
+/// Runs Rémy's algorithm: insert a new inner node with a new leaf on any edge, on either side, until there are enough
+/// leaves.
 fn catalan(source: &mut impl Source, leaves: u32) -> Vec<Option<[u32; 2]>> {
     let mut children = Vec::with_capacity(2 * leaves as usize);
     children.push(None);
     for _ in 1..leaves {
-        // The chosen node moves to a new place; a node with it and a new leaf takes its place, so that the root
-        // stays node 0 and no parent needs to know.
+        // The chosen node moves to a new place, and a node with it and a new leaf takes its old place. So the root
+        // stays node 0 and no parent changes.
         let chosen = source.below(children.len() as u64) as usize;
         let moved = children.len() as u32;
         let pair = if source.coin() { [moved + 1, moved] } else { [moved, moved + 1] };
@@ -176,7 +177,7 @@ mod tests {
         let mut rng = Rng::new(11);
         for _ in 0..14_000 {
             let tree = Tree::new(&Family::Catalan.children(&mut rng, 5)).unwrap();
-            // The depths of the leaves from left to right tell shapes apart.
+            // The depths of the leaves from left to right distinguish shapes.
             let (mut depths, mut pending) = (Vec::new(), vec![(tree.root(), 0)]);
             while let Some((node, depth)) = pending.pop() {
                 if node.is_leaf() {

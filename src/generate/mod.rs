@@ -1,8 +1,8 @@
-//! Cases to check with: trees, decision tapes, and the choices they are made from.
+//! Test cases: trees, decision tapes, and sources of choices.
 //!
-//! A generator asks a [`Source`] for numbers below a bound and knows nothing about where they come from: a seeded
-//! generator, the bytes of a fuzzer, or the enumeration of all choices. It is written once, so that tests, fuzzing and
-//! proofs see the same cases. The smallest choice (0) is everywhere the simplest one: shrinking bytes shrinks cases.
+//! A generator takes numbers below a bound from a [`Source`], independently of their origin: a seeded generator, the
+//! bytes of a fuzzer, or the enumeration of all choices. Each generator is written once, so tests, fuzzing and proofs
+//! use the same cases. The smallest choice (0) is always the simplest one: shrinking bytes shrinks cases.
 
 #[cfg(feature = "rays")]
 pub mod double;

@@ -1,7 +1,7 @@
-//! Scenes and rays out of a seed: the same on every machine.
+//! Scenes and rays from a seed, identical on every machine.
 //!
-//! Four scenes that are hard for hierarchies in different ways, and rays that are ordinary and awkward in turn.
-//! Coordinates are made with operations that IEEE 754 rounds exactly (no sine).
+//! There are four scenes that are hard for hierarchies in different respects, and ordinary and difficult rays.
+//! Coordinates are computed with operations that IEEE 754 rounds exactly (no sine).
 
 mod rays;
 mod view;
@@ -16,12 +16,12 @@ use crate::geom::Mesh;
 
 /// Segments of a strand, of two triangles each.
 const SEGMENTS: usize = 16;
-/// Squares along an edge of the stadium's ball, which is a cube blown up.
+/// Squares along an edge of the stadium's ball, which is an inflated cube.
 const SQUARES: usize = 46;
 /// Tiers of the stadium.
 const TIERS: usize = 32;
 
-/// Hair: `n` thin, curved ribbons (at least one) of 32 triangles each, tapering to the tip, on the unit sphere.
+/// Returns hair: `n` thin, curved ribbons (at least one) of 32 triangles each, tapering to the tip, on the unit sphere.
 pub fn strands(seed: u64, n: usize) -> Mesh {
     let mut random = Draw::new(seed);
     let mut parts = Parts::default();
@@ -42,12 +42,12 @@ pub fn strands(seed: u64, n: usize) -> Mesh {
     parts.into_mesh()
 }
 
-/// Uneven density, as of a teapot in a stadium: a finely divided ball of radius 0.05 on a field 1200 wide, with
-/// coarse tiers around it. About 27,000 triangles.
+/// Returns a scene of uneven density, like a teapot in a stadium: a finely divided ball of radius 0.05 on a field 1200
+/// wide, with coarse tiers around it. About 27,000 triangles.
 pub fn stadium(seed: u64) -> Mesh {
     let mut random = Draw::new(seed);
     let mut parts = Parts::default();
-    // The field is the innermost ring of the tiers: rings of squares, each wider or higher than the one before.
+    // The field is the innermost ring of the tiers: rings of squares, each wider or higher than the previous one.
     let rings = (0..=2 * TIERS).map(|i| (600.0 * i.min(1) as f32 + 6.0 * (i / 2) as f32, 4.0 * (i / 2) as f32));
     let around = |i: usize| {
         let corner = |i: usize| [Vec3::new(1.0, 0.0, 1.0), Vec3::new(-1.0, 0.0, 1.0)][i % 2] * [1.0, -1.0][i / 2 % 2];
@@ -75,7 +75,8 @@ pub fn stadium(seed: u64) -> Mesh {
     parts.into_mesh()
 }
 
-/// `n` random triangles (at least one) in the unit cube, of sizes down to nothing; one in 32 repeats the one before it.
+/// Returns `n` random triangles (at least one) in the unit cube, of sizes down to zero; one in 32 repeats the previous
+/// one.
 pub fn soup(seed: u64, n: usize) -> Mesh {
     let mut random = Draw::new(seed);
     let mut parts = Parts::default();
@@ -91,19 +92,20 @@ pub fn soup(seed: u64, n: usize) -> Mesh {
     parts.into_mesh()
 }
 
-/// Depth: `n` parallel triangles (at least one), each a quarter nearer to a last plane than the one before, x = 0.
+/// Returns a deep scene: `n` parallel triangles (at least one), each a quarter nearer to a last plane, x = 0, than the
+/// previous one.
 ///
-/// They are so near and so wide, 65,536 in y and z, that in single precision all boxes over some of them have the same
-/// surface. So every cut costs the same, and by surface area the farthest triangle is cut off alone again and again:
-/// the hierarchy is a chain about as deep as there are triangles, where the options allow it. From about 280 on their
-/// planes are not to be told apart. The first one stands beside the others in y, so that a ray can meet its box and, of
-/// the others, only the last.
+/// They are so near and so wide, 65,536 in y and z, that in single precision all boxes over some of them have one
+/// common surface area. So all splits have equal cost, and the surface area heuristic repeatedly separates only the
+/// farthest triangle: the depth of the hierarchy is about the number of triangles, if the options allow it. From about
+/// 280 triangles on, single precision does not distinguish their planes. The first triangle is offset in y, so a ray
+/// can meet its box and, of the other triangles, only the last.
 pub fn layers(n: usize) -> Mesh {
     let mut parts = Parts::default();
     let (width, mut x) = (65_536.0, 1.0 / 1024.0);
     for i in 0..n.max(1) {
         let start = if i == 0 { width } else { 0.0 };
-        // Half of the same square each, the halves by turns.
+        // Alternating halves of one square.
         let [near, far] = if i % 2 == 0 { [0.0, width] } else { [width, 0.0] };
         parts.add_triangle([[near, near], [near, far], [far, near]].map(|[y, z]| Vec3::new(-x, start + y, z)));
         x *= 0.75;
@@ -111,7 +113,7 @@ pub fn layers(n: usize) -> Mesh {
     parts.into_mesh()
 }
 
-/// A mesh while it is put together.
+/// A mesh under construction.
 #[derive(Default)]
 struct Parts {
     vertices: Vec<Vec3>,

@@ -1,4 +1,4 @@
-//! Where choices come from.
+//! Sources of choices.
 
 use alloc::vec::Vec;
 
@@ -6,10 +6,10 @@ use crate::hash::mix;
 
 /// A stream of choices.
 pub trait Source {
-    /// A number below `bound`, which is at least 1. 0 is the simplest choice.
+    /// Returns a number below `bound`, which is at least 1. 0 is the simplest choice.
     fn below(&mut self, bound: u64) -> u64;
 
-    /// A coin; `false` is the simpler side.
+    /// Flips a coin; `false` is the simpler side.
     fn coin(&mut self) -> bool {
         self.below(2) == 1
     }
@@ -20,12 +20,12 @@ pub trait Source {
 pub struct Rng(u64);
 
 impl Rng {
-    /// A stream for this seed.
+    /// Creates a stream for this seed.
     pub const fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// The next 64 random bits.
+    /// Returns the next 64 random bits.
     pub const fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         mix(self.0)
@@ -40,8 +40,8 @@ impl Source for Rng {
     }
 }
 
-/// Choices from bytes, as a fuzzer or a shrinking test provides them: as few bytes as can name each choice, and 0 when they
-/// run out.
+/// Choices from bytes, as a fuzzer or a shrinking test provides them: each choice takes the least number of bytes, and
+/// is 0 when they run out.
 #[cfg(feature = "arbitrary")]
 impl Source for arbitrary::Unstructured<'_> {
     fn below(&mut self, bound: u64) -> u64 {
@@ -65,18 +65,18 @@ impl Source for arbitrary::Unstructured<'_> {
 pub struct Exhaustive {
     /// The choices of the current case, with their bounds.
     choices: Vec<(u64, u64)>,
-    /// How many of them this run has taken.
+    /// Number of choices that this run has taken.
     taken: usize,
     started: bool,
 }
 
 impl Exhaustive {
-    /// Before the first case.
+    /// Starts before the first case.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Goes to the next case; `false` after the last one.
+    /// Goes to the next case; returns `false` after the last one.
     pub fn next_case(&mut self) -> bool {
         self.taken = 0;
         if !self.started {

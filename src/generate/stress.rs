@@ -1,12 +1,12 @@
-//! The stress suite: scenes and rays that are hard to get right, out of fixed seeds.
+//! The stress suite: scenes and rays that are hard to trace correctly, from fixed seeds.
 //!
 //! Each [`StressCase`] takes one weakness of ray tracers to its limit: rays through edges and corners, triangles
-//! thinner than an ulp, distances that lie between two floats, coordinates at both ends of the range. A case says what
-//! is traced, not what comes out: the truth is computed elsewhere, over the whole mesh.
+//! thinner than an ulp, distances between two floats, coordinates at both ends of the range. A case has only the
+//! inputs: the truth is computed elsewhere, over the whole mesh.
 //!
-//! Everything is made with operations that IEEE 754 rounds exactly (`+ - * /`, square root, powers of two by their
-//! bits), so the cases are the same on every machine. Each case has a seed of its own, from its name: a new case
-//! changes no other. The first rays of a case do not depend on how many are asked for.
+//! All numbers are computed with operations that IEEE 754 rounds exactly (`+ - * /`, square root, powers of two by
+//! their bits), so the cases are identical on every machine. Each case has a separate seed, from its name: a new case
+//! changes no other case. The first rays of a case do not depend on the requested number.
 //!
 //! Origins of the ideas: the trackers of ray tracers (numbers in [`StressCase::about`]) and Woop, Benthin & Wald 2013,
 //! "Watertight ray/triangle intersection"; Ize 2013, "Robust BVH ray traversal"; Wächter & Binder 2019, "A fast and
@@ -45,11 +45,11 @@ use aim::Target;
 pub struct StressCase {
     /// One of [`NAMES`].
     pub name: &'static str,
-    /// What is hard about it, in one line, and where it comes from if it was found by others.
+    /// The difficulty, in one line, and its source if it was published.
     pub about: &'static str,
-    /// From 12 to 2,000 triangles, mostly some hundreds.
+    /// From 12 to 2,000 triangles, mostly several hundred.
     pub mesh: Mesh,
-    /// As many as were asked for.
+    /// The requested number of rays.
     pub rays: Vec<Ray>,
     /// Whether each ray must hit: the mesh is closed (every edge is shared by two triangles that run along it in
     /// opposite directions), every origin is strictly inside (the mesh winds around it an odd number of times), and
@@ -74,12 +74,12 @@ pub const NAMES: [&str; COUNT] = {
     names
 };
 
-/// All cases, in the order of [`NAMES`], each made when it is asked for, with `rays_per_case` rays.
+/// Returns all cases, in the order of [`NAMES`], each built on demand, with `rays_per_case` rays.
 pub fn cases(rays_per_case: usize) -> impl Iterator<Item = StressCase> {
     GROUPS.into_iter().flatten().filter_map(move |recipe| recipe.case(rays_per_case))
 }
 
-/// The case of this name with `rays` rays, or `None` if there is no such case.
+/// Returns the case of this name with `rays` rays, or `None` if there is no such case.
 pub fn case(name: &str, rays: usize) -> Option<StressCase> {
     GROUPS.into_iter().flatten().find(|recipe| recipe.name == name)?.case(rays)
 }
@@ -105,7 +105,7 @@ const COUNT: usize = {
     count
 };
 
-/// How a case is made.
+/// The generator of a case.
 struct Recipe {
     name: &'static str,
     about: &'static str,
@@ -114,7 +114,7 @@ struct Recipe {
     ray: MakeRay,
 }
 
-/// One ray at a target, of the kind that the running number chooses; `None` if the numbers are not a ray.
+/// One ray at a target, of the kind that the running number selects; `None` if the numbers are not a ray.
 type MakeRay = fn(&mut Draw, &Target<'_>, usize) -> Option<Ray>;
 
 impl Recipe {
@@ -126,7 +126,7 @@ impl Recipe {
         Self { closed: true, ..self }
     }
 
-    /// `None` would be a mistake in the recipe; a test sees to it that there is none.
+    /// `None` would be an error in the recipe; a test checks that none has it.
     fn case(&self, rays: usize) -> Option<StressCase> {
         let mut draw = Draw::named(self.name);
         let mesh = (self.mesh)(&mut draw)?;

@@ -1,8 +1,8 @@
-//! Decision tapes: what a search decides at each node, without geometry and without floats.
+//! Decision tapes: the decisions of a search at each node, without geometry and without floats.
 //!
 //! A tape is a small scene: each node is entered at an integer distance, or missed, and a leaf may be hit at a
 //! distance. A [`Search`] over it is a closest-hit or any-hit query, in the form that tests children at their parent
-//! and in the form that tests nodes at their visit. A hit shortens the search, so that later decisions change.
+//! and in the form that tests nodes at their visit. A hit shortens the search, so later decisions change.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -24,17 +24,17 @@ pub enum Kind {
     NoneHit,
     /// Exactly one child of each node is wanted.
     OnlyOne,
-    /// Every node is wanted, left and right first by turns from level to level.
+    /// Every node is wanted; left and right come first on alternate levels.
     Alternating,
     /// Nodes have distances, the nearer child comes first, hits shorten the search.
     Shrinking,
-    /// Nodes have intervals, each within its parent's; leaves are hit within theirs. The child that begins first comes
-    /// first, hits shorten the search.
+    /// Nodes have intervals, each within its parent's; leaves are hit within their intervals. The child that begins
+    /// first comes first, hits shorten the search.
     Intervals,
-    /// The same, but leaves may be hit beyond the ends of their intervals: leaves that hold parts of triangles.
+    /// As `Intervals`, but leaves may be hit beyond the ends of their intervals: leaves that hold parts of triangles.
     Clipped,
-    /// One of the five decisions for each node that is reached, and no hits: what an enumeration needs. Sign order
-    /// under the octant 2 (binary 010) is the tape's own order.
+    /// One of the five decisions for each reached node, and no hits: the kind for enumerations. Sign order under the
+    /// octant 2 (binary 010) is the tape's own order.
     Script,
 }
 
@@ -52,7 +52,7 @@ impl Kind {
         Self::Script,
     ];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Random => "random",
@@ -70,32 +70,32 @@ impl Kind {
 
 named!(Kind);
 
-/// What a tape says of one node.
+/// The entry of one node in a tape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct Cell {
-    /// The node is missed: nothing below it is seen.
+    /// The node is missed: no node below it is visited.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub miss: bool,
-    /// Distance at which it is entered, at least its parent's; the root may be entered late too.
+    /// Distance of the entry, at least its parent's; the root may also be entered late.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub enter: u32,
-    /// Distance at which it is left, at most its parent's; none is beyond all others.
+    /// Distance of the exit, at most its parent's; `None` is beyond all other distances.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub exit: Option<u32>,
-    /// Of an inner node: the right child comes first where both are entered at the same distance.
+    /// For an inner node: the right child comes first if both are entered at the same distance.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub right_first: bool,
-    /// Of an inner node: the axis (0, 1, 2) whose sign orders its children, for traversals of fixed order.
+    /// For an inner node: the axis (0, 1, 2) whose sign orders its children, for traversals of fixed order.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub axis: u8,
-    /// Of a leaf that is not missed: distance at which it is hit, at least that of its entry. It may be beyond the
-    /// exit, where a leaf holds a part of something and is hit in the rest of it.
+    /// For a leaf that is not missed: distance of the hit, at least that of its entry. It may be beyond the exit, if a
+    /// leaf holds a part of a triangle and the rest of the triangle is hit.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_default"))]
     pub hit: Option<u32>,
 }
 
-/// What a file leaves out.
+/// Whether a file omits the field.
 #[cfg(feature = "serde")]
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
@@ -115,16 +115,16 @@ pub struct Tape {
 }
 
 impl Tape {
-    /// A tape whose cells are drawn one after the other, parents before children, left before right.
+    /// Draws a tape, one cell after the other, parents before children, left before right.
     pub fn draw(source: &mut impl Source, tree: &impl Topology, kind: Kind) -> Self {
         Self::fill(tree, |_| (), |(), _| (), |(), parent, depth| draw_inner(source, kind, parent, depth))
     }
 
-    /// The tape of a seed: the cells of a node's children are a function of the seed and the node's key alone, so
-    /// that any language can make the same tape.
+    /// Returns the tape of a seed: the cells of a node's children are a function of the seed and the node's key alone,
+    /// so any language can build the same tape.
     ///
-    /// The generator for node `k` is `SplitMix64` seeded with `h(k)`: `h(1) = mix(seed)` and
-    /// `h(2k + b) = mix(h(k) ^ (b + 1))`.
+    /// The generator for node `k` is `SplitMix64` seeded with `h(k)`: `h(1) = mix(seed)` and `h(2k + b) = mix(h(k) ^ (b +
+    /// 1))`.
     pub fn hashed(seed: u64, tree: &impl Topology, kind: Kind) -> Self {
         Self::fill(
             tree,
@@ -134,11 +134,11 @@ impl Tape {
         )
     }
 
-    /// A tape with these cells, by slot.
+    /// Creates a tape with these cells, by slot.
     ///
     /// `None` if there is not one for each node, a child is entered before its parent or left after it, a leaf is hit
-    /// or a node left before it is entered, or an axis is not 0, 1 or 2. The root may be missed or entered late: only a
-    /// search that tests nodes at their visit asks.
+    /// or a node left before it is entered, or an axis is not 0, 1 or 2. The root may be missed or entered late: only
+    /// searches that test nodes at their visit use this.
     pub fn from_cells(tree: &impl Topology, cells: Vec<Cell>) -> Option<Self> {
         if cells.len() != tree.node_count() {
             return None;
@@ -165,12 +165,12 @@ impl Tape {
         Some(Self::new(tree, cells))
     }
 
-    /// The cells, by slot.
+    /// Returns the cells, by slot.
     pub fn cells(&self) -> &[Cell] {
         &self.cells
     }
 
-    /// The axes, by index of the inner node, for [`SignOrder`](crate::order::SignOrder).
+    /// Returns the axes, by index of the inner node, for [`SignOrder`](crate::order::SignOrder).
     pub fn axes(&self) -> &[u8] {
         &self.axes
     }
@@ -196,7 +196,7 @@ impl Tape {
             }
             let children = tree.children(node);
             let cell = &mut cells[tree.slot(node)];
-            // Nothing below a missed node is ever seen, so nothing is drawn there: the simplest cells that fit.
+            // No node below a missed node is visited, so nothing is drawn there: the simplest valid cells.
             let drawn =
                 if cell.miss { [Cell { miss: true, ..interval_of(cell) }; 2] } else { inner(state, cell, depth) };
             for (i, cell) in drawn.into_iter().enumerate() {
@@ -210,7 +210,7 @@ impl Tape {
     }
 }
 
-/// Draws what an inner node says of itself (order and axis), and the cells of its two children.
+/// Draws order and axis of an inner node, and the cells of its two children.
 fn draw_inner(source: &mut impl Source, kind: Kind, node: &mut Cell, depth: u32) -> [Cell; 2] {
     let mut children = [interval_of(node); 2];
     if kind == Kind::Script {
@@ -242,7 +242,7 @@ fn draw_inner(source: &mut impl Source, kind: Kind, node: &mut Cell, depth: u32)
         Kind::Intervals | Kind::Clipped => {
             let exit = node.exit.unwrap_or(ROOT_EXIT);
             for child in &mut children {
-                // Two places within the parent's interval, more often apart than not.
+                // Two intervals within the parent's, more often disjoint than not.
                 let length = u64::from(exit - child.enter);
                 let [a, b] = [(); 2].map(|()| source.below(length + 1) as u32);
                 (child.exit, child.enter) = (Some(child.enter + a.max(b)), child.enter + a.min(b));
@@ -270,15 +270,15 @@ fn interval_of(cell: &Cell) -> Cell {
     Cell { enter: cell.enter, exit: cell.exit, ..Cell::default() }
 }
 
-/// What a search found, in an order-free form, and what it cost.
+/// The result of a search, in an order-free form, and its cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
-    /// Distance and slot of the closest hit, the smaller slot where distances are equal; for an any-hit search the
-    /// first hit.
+    /// Distance and slot of the closest hit, the smaller slot if distances are equal; for an any-hit search the first
+    /// hit.
     pub hit: Option<(u32, usize)>,
-    /// Inner nodes asked about.
+    /// Queried inner nodes.
     pub inner_visits: u64,
-    /// Leaves looked into.
+    /// Visited leaves.
     pub leaf_visits: u64,
 }
 
@@ -288,12 +288,12 @@ pub struct Search<'a, T> {
     tree: &'a T,
     tape: &'a Tape,
     any: bool,
-    /// What was found so far.
+    /// The result so far.
     pub outcome: Outcome,
 }
 
 impl<'a, T: Topology> Search<'a, T> {
-    /// A closest-hit query, or an any-hit query, which stops at its first hit.
+    /// Creates a closest-hit query, or an any-hit query, which stops at its first hit.
     pub fn new(tree: &'a T, tape: &'a Tape, any: bool) -> Self {
         Self { tree, tape, any, outcome: Outcome::default() }
     }
@@ -303,8 +303,8 @@ impl<'a, T: Topology> Search<'a, T> {
         &self.tape.cells[self.tree.slot(node)]
     }
 
-    /// The test of a node: not missed, and not entered behind the closest hit. Without a branch, which nobody could
-    /// predict.
+    /// Tests a node: not missed, and not entered behind the closest hit. Without a branch, which would be
+    /// unpredictable.
     #[inline]
     fn is_wanted(&self, cell: &Cell) -> bool {
         !cell.miss & (cell.enter <= self.outcome.hit.map_or(u32::MAX, |(t, _)| t))
@@ -354,7 +354,7 @@ impl<T: Topology> Pruned for Search<'_, T> {
         descent.disjoint_if(first.ends() < second.enter)
     }
 
-    /// What is hit beyond its leaf may come after what is in others.
+    /// A hit beyond its leaf may come after hits in other leaves.
     fn found_at(&self, leaf: Node) -> bool {
         let slot = self.tree.slot(leaf);
         self.outcome.hit.is_some_and(|(t, best)| best == slot && t <= self.tape.cells[slot].ends())

@@ -9,12 +9,12 @@ use crate::order::Flow;
 use crate::tree::Node;
 use crate::wide::{Search, Topology, Tree, Wanted, is_beyond};
 
-/// The children of every node of a wide tree with this many leaves, for [`Tree::new`]; `chain` is the number of inner
-/// nodes with one child.
+/// Returns the children of every node of a wide tree with this many leaves, for [`Tree::new`]; `chain` is the number of
+/// inner nodes with one child.
 pub fn wide_shape<const A: usize>(source: &mut impl Source, leaves: u32, chain: u32) -> Vec<Option<Vec<u32>>> {
     let mut nodes: Vec<Option<Vec<u32>>> = vec![None];
     let mut chain = chain;
-    // Inner nodes whose children are still to be made, with the number of leaves below them.
+    // Inner nodes without children so far, with the number of leaves below them.
     let mut open = vec![(0, leaves.max(1))];
     while let Some((node, leaves)) = open.pop() {
         let is_link = leaves > 1 && chain > 0 && source.coin();
@@ -40,8 +40,8 @@ pub fn wide_shape<const A: usize>(source: &mut impl Source, leaves: u32, chain: 
     nodes
 }
 
-/// The wide tree of a generator, which makes nothing but trees; an empty one should that ever be wrong, which
-/// the generators' tests would show.
+/// Builds the wide tree of a generator, whose output is always a tree. If it were not, the result would be an empty
+/// tree, which the generators' tests would detect.
 pub fn wide_tree<const A: usize>(children: &[Option<Vec<u32>>]) -> Tree<A> {
     let lists: Vec<Option<&[u32]>> = children.iter().map(Option::as_deref).collect();
     let tree = Tree::new(&lists);
@@ -49,7 +49,7 @@ pub fn wide_tree<const A: usize>(children: &[Option<Vec<u32>>]) -> Tree<A> {
     tree.unwrap_or_default()
 }
 
-/// What a search answers about every node of a tree.
+/// The answers of a search about every node of a tree.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WideTape<const A: usize> {
     cells: Vec<WideCell<A>>,
@@ -57,31 +57,31 @@ pub struct WideTape<const A: usize> {
     kind: u8,
 }
 
-/// What a tape says of a node. `[WIDE-2]` `[WIDE-3]`
+/// The entry of a node in a tape. `[WIDE-2]` `[WIDE-3]`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct WideAnswer {
     /// Whether its parent wants it.
     pub is_wanted: bool,
-    /// Where its box begins: a multiple of A.
+    /// The start of its box: a multiple of A.
     pub begin: u32,
-    /// At a leaf: where the search ends from there on, if it ended later before.
+    /// For a leaf: the new end of the search, if the previous end is greater.
     pub end: Option<u32>,
 }
 
-/// What is answered about one node.
+/// The answer about one node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct WideCell<const A: usize> {
     set: u32,
     ranks: [u32; A],
-    /// At a leaf: what the end becomes if it was greater.
+    /// For a leaf: the new end, if the previous end is greater.
     end: u32,
     stops: bool,
 }
 
 impl<const A: usize> WideTape<A> {
-    /// Ranks do not become less on the way down.
+    /// Ranks do not decrease on the way down.
     const MONOTONE: u8 = 1;
-    /// Which children are wanted depends on how many leaves have been visited.
+    /// The wanted children depend on the number of visited leaves.
     const CHANGING: u8 = 2;
 
     /// Draws the answers: ranks and ends below `distances`.
@@ -109,7 +109,7 @@ impl<const A: usize> WideTape<A> {
         Self { kind, ..Self::of(tree, &answers) }
     }
 
-    /// The tape that answers so, always the same. Of a node without an answer nothing is wanted.
+    /// Creates the tape with these constant answers. A node without an answer wants no child.
     pub fn of(tree: &Tree<A>, answers: &[WideAnswer]) -> Self {
         let answer = |node: Node| answers.get(node.index()).copied().unwrap_or_default();
         let cell = |node: Node| {
@@ -131,14 +131,14 @@ impl<const A: usize> WideTape<A> {
         Self { cells: tree.nodes().map(cell).collect(), kind }
     }
 
-    /// The same, with an end of the search at a leaf.
+    /// Returns this tape with an end of the search at a leaf.
     #[must_use]
     pub fn stopping_at(mut self, leaf: Node) -> Self {
         self.cells[leaf.index()].stops = true;
         self
     }
 
-    /// Whether ranks do not become less on the way down: what traversals that restart rely on. `[WRESTART-1]`
+    /// Returns whether ranks do not decrease on the way down: traversals that restart require this. `[WRESTART-1]`
     pub const fn is_monotone(&self) -> bool {
         self.kind & Self::MONOTONE != 0
     }
@@ -149,26 +149,26 @@ impl<const A: usize> WideTape<A> {
 pub struct WideSearch<'t, const A: usize, const SORTED: bool> {
     tape: &'t WideTape<A>,
     end: u32,
-    /// What was wanted of each node when the search was first asked about it.
+    /// The wanted children of each node at its first query.
     wanted: Vec<Option<u32>>,
     leaves: u64,
     asked: u64,
 }
 
 impl<'t, const A: usize, const SORTED: bool> WideSearch<'t, A, SORTED> {
-    /// At its beginning.
+    /// Starts a search.
     pub fn new(tape: &'t WideTape<A>) -> Self {
         Self { tape, end: u32::MAX, wanted: vec![None; tape.cells.len()], leaves: 0, asked: 0 }
     }
 
-    /// How often it was asked.
+    /// Returns the number of queries.
     pub const fn asked(&self) -> u64 {
         self.asked
     }
 
     fn first(&self, node: Node) -> u32 {
         let cell = &self.tape.cells[node.index()];
-        // With the rank, so that not all tapes say the same of the root before the first leaf.
+        // With the rank, so not all tapes have the same answer about the root before the first leaf.
         let of_node = node.index() as u64 | u64::from(cell.ranks[0]) << 32;
         let seen = mix(mix(self.leaves + 1) ^ of_node) as u32;
         if self.tape.kind & WideTape::<A>::CHANGING == 0 { cell.set } else { cell.set & seen }
@@ -212,7 +212,7 @@ mod tests {
     use super::*;
     use crate::generate::Rng;
 
-    /// What is wanted of the root before any leaf, and after so many, by tapes whose answers change.
+    /// The wanted children of the root before any leaf, and after several leaves, by tapes whose answers change.
     #[test]
     fn answers_change() {
         let tree: Tree<4> = wide_tree(&[Some(vec![1, 2, 3, 4]), None, None, None, None]);

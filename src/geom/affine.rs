@@ -1,4 +1,4 @@
-//! Affine maps as they are written down, and what they make of points, boxes and rays.
+//! Exact affine maps, and the images of points, boxes and rays.
 
 mod inverse;
 
@@ -10,20 +10,20 @@ use super::fine::Fine;
 use super::truth::{Meeting, RBig, meet_integers};
 use super::{Aabb, EnclosedRay, EnvironmentError, Frame, Interval, Real, Vector, check_environment};
 
-/// An invertible affine map x -> A x + b, from an object's space to the space that it is placed in; in single
-/// precision, or with `f64` in double.
+/// An invertible affine map x -> A x + b, from an object's space to the space around it. It is in single precision, or
+/// with `f64` in double precision.
 ///
-/// The numbers are taken as the rational ones that they are, subnormal ones too. So the image of a point is exact, and
-/// has more digits than a float: only [`image_of_box`](Self::image_of_box) and [`pull_back`](Self::pull_back) round,
-/// outwards. `[INST-1]`
+/// The numbers are interpreted as exact rational numbers, including subnormal numbers. So the image of a point is
+/// exact, and has more digits than a float: only [`image_of_box`](Self::image_of_box) and
+/// [`pull_back`](Self::pull_back) round, outwards. `[INST-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AffineMap<R: Real = f32> {
     rows: [[R; 4]; 3],
-    /// Of A.
+    /// The inverse of A.
     inverse: Inverse,
 }
 
-/// Why numbers are not an invertible map.
+/// Errors of the constructors of [`AffineMap`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum AffineError {
     /// A number is NaN or infinite.
@@ -33,19 +33,19 @@ pub enum AffineError {
         row: usize,
         /// Column, from 0; 3 is the translation.
         column: usize,
-        /// What stands there.
+        /// The number.
         value: f64,
     },
     /// The determinant of A is 0, exactly: objects would become flat.
     #[error("the determinant is 0, so the map has no inverse")]
     Singular,
-    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    /// This thread's floating-point arithmetic is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
 impl<R: Real> AffineMap<R> {
-    /// The map that changes nothing.
+    /// The identity map.
     pub const IDENTITY: Self = Self {
         rows: [
             [R::ONE, R::ZERO, R::ZERO, R::ZERO],
@@ -55,12 +55,12 @@ impl<R: Real> AffineMap<R> {
         inverse: Inverse::IDENTITY,
     };
 
-    /// The map with these rows: three numbers of A, then the one of b.
+    /// Creates the map with these rows: three numbers of A, then one of b.
     ///
-    /// That the determinant is not 0 is decided in integers: neither tiny nor huge numbers under- or overflow.
+    /// Integer arithmetic decides that the determinant is not 0: neither tiny nor huge numbers under- or overflow.
     ///
     /// # Errors
-    /// What [`AffineError`] lists.
+    /// [`AffineError`].
     ///
     /// ```
     /// use stackless_bvh::geom::{AffineMap, AffineError};
@@ -89,7 +89,7 @@ impl<R: Real> AffineMap<R> {
         Ok(Self { rows, inverse: Inverse::new(&adjugate.map(|row| row.map(entry))) })
     }
 
-    /// The map that adds a vector.
+    /// Creates the map that adds a vector.
     ///
     /// # Errors
     /// [`AffineError::NotFinite`] and [`AffineError::Environment`].
@@ -101,18 +101,18 @@ impl<R: Real> AffineMap<R> {
         Self::new(rows)
     }
 
-    /// Three numbers of A, then the one of b, for each row.
+    /// Returns three numbers of A, then one of b, for each row.
     pub const fn rows(&self) -> &[[R; 4]; 3] {
         &self.rows
     }
 
-    /// The smallest box in single precision that holds the image of a box, up to a few units of the last digit of
-    /// doubles; infinite beyond the range of single precision. Never too small. `[INST-2]`
+    /// Returns the smallest box in single precision that contains the image of a box, up to a few units in the last
+    /// place of doubles. It is never too small, and infinite beyond the range of single precision. `[INST-2]`
     pub fn image_of_box(&self, aabb: &Aabb) -> Aabb {
         Frame::IDENTITY.enter(&self.image(Frame::IDENTITY.leave(aabb)))
     }
 
-    /// Bounds of the image of all points whose coordinates are within bounds. `[INST-2]`
+    /// Returns bounds of the image of all points whose coordinates are within bounds. `[INST-2]`
     pub(crate) fn image(&self, bounds: [Interval; 3]) -> [Interval; 3] {
         self.rows.map(|[a, b, c, offset]| {
             let [x, y, z] = [(a, bounds[0]), (b, bounds[1]), (c, bounds[2])].map(|(a, x)| times(a.into(), x));
@@ -120,13 +120,13 @@ impl<R: Real> AffineMap<R> {
         })
     }
 
-    /// The ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds. Distances
-    /// along it are the same in every space. `[INST-3]`
+    /// Returns the ray in the object's space: bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds.
+    /// Distances along it are the same in every space. `[INST-3]`
     pub fn pull_back(&self, ray: &EnclosedRay) -> EnclosedRay {
         self.inverse.pull_back(ray, self.rows.map(|row| row[3].into()))
     }
 
-    /// A line in the object's space, as integers over a common number, from such ones. `[INST-7]`
+    /// Returns a line in the object's space, as integers over a common number, from a line in this form. `[INST-7]`
     pub(super) fn pull_back_exactly(&self, ([o, d], over): ([[IBig; 3]; 2], IBig)) -> ([[IBig; 3]; 2], IBig) {
         let unit = unit_of(self.rows.as_flattened());
         let rows = self.rows.map(|row| row.map(|x| multiple(x, unit)));
@@ -137,7 +137,7 @@ impl<R: Real> AffineMap<R> {
     }
 }
 
-/// The adjugate of A, and its determinant.
+/// Returns the adjugate of A, and its determinant.
 fn adjugate(a: &[[IBig; 4]; 3]) -> ([[IBig; 3]; 3], IBig) {
     let adjugate = [0, 1, 2].map(|i| {
         [0, 1, 2].map(|j| {
@@ -149,15 +149,15 @@ fn adjugate(a: &[[IBig; 4]; 3]) -> ([[IBig; 3]; 3], IBig) {
     (adjugate, determinant)
 }
 
-/// The products of a number and those of an interval. What is exact at an end stays so: a product of two floats of
+/// Returns the products of a number and an interval. An end stays exact if its product is: a product of two floats of
 /// single precision has 48 bits.
 fn times(a: f64, x: Interval) -> Interval {
     let [first, last] = x.ends().map(|x| (Interval::exact(a) * Interval::exact(x)).ends());
     Interval::between([first[0].min(last[0]), first[1].max(last[1])])
 }
 
-/// Where the line `origin + t direction` meets the exact image of a triangle under maps, the first of which is applied
-/// first: the truth about instances, as slow as rational arithmetic is. `[INST-1]`
+/// Intersects the line `origin + t direction` with the exact image of a triangle under maps; the first map is applied
+/// first. It is the ground truth about instances, at the speed of rational arithmetic. `[INST-1]`
 ///
 /// ```
 /// use glam::Vec3;
@@ -184,7 +184,8 @@ pub fn meet_image<'a, V: Vector>(
     meet_integers([v0, v1, v2, o, d])
 }
 
-/// The images of corners, as integers times 2 to the power of minus the second number: as few digits as that takes.
+/// Returns the images of corners, as integers times 2 to the power of minus the second number, with the least possible
+/// number of digits.
 pub(super) fn images<'a, V: Vector>(
     triangle: [V; 3],
     maps: impl IntoIterator<Item = &'a AffineMap<V::Real>>,
@@ -193,7 +194,7 @@ pub(super) fn images<'a, V: Vector>(
     let mut unit = unit_of(corners.as_flattened());
     let mut corners = corners.map(|corner| corner.map(|x| multiple(x, unit)));
     for map in maps {
-        // By the thread that asks, so that no number has digits below its own unit. `[ENV-1]`
+        // Computed on the calling thread, so no number has digits below its own unit. `[ENV-1]`
         let own = unit_of(map.rows.as_flattened());
         let rows = map.rows.map(|row| row.map(|x| multiple(x, own)));
         corners = corners
@@ -203,7 +204,7 @@ pub(super) fn images<'a, V: Vector>(
     (corners, unit)
 }
 
-/// The images of corners, by twice the digits of a double. `[INST-5]`
+/// Returns the images of corners, by twice the digits of a double. `[INST-5]`
 pub(super) fn fine_images<'a, V: Vector>(
     triangle: [V; 3],
     maps: impl IntoIterator<Item = &'a AffineMap<V::Real>>,
@@ -216,22 +217,22 @@ pub(super) fn fine_images<'a, V: Vector>(
     corners
 }
 
-/// All of these floats are multiples of 2 to the power of minus this, which is at most 149 in single precision and 1074
-/// in double.
+/// Returns a number such that all of these floats are multiples of 2 to the power of minus it. It is at most 149 in
+/// single precision and 1074 in double precision.
 fn unit_of<R: Real>(numbers: &[R]) -> usize {
     numbers.iter().map(|&x| (-odd_and_exponent(x.into()).1).max(0) as usize).max().unwrap_or(0)
 }
 
-/// A float times 2 to the power of its unit, or more.
+/// Returns a float times 2 to the power of its unit, or of a greater number.
 fn multiple<R: Real>(x: R, unit: usize) -> IBig {
     let (odd, exponent) = odd_and_exponent(x.into());
     IBig::from(odd) << (unit as i32 + exponent) as usize
 }
 
-/// A finite double as an odd number times 2 to a power; 0 as 0 times 1.
+/// Returns a finite double as an odd number and a power of two; 0 as 0 times 1.
 fn odd_and_exponent(x: f64) -> (i64, i32) {
     let (exponent, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, (x.to_bits() & ((1 << 52) - 1)) as i64);
-    // Subnormal numbers have the exponent of the least normal ones, and no leading one.
+    // Subnormal numbers have the exponent of the least normal numbers, and no leading one.
     let (whole, exponent) = if exponent == 0 { (fraction, 1) } else { (fraction | 1 << 52, exponent) };
     if whole == 0 {
         return (0, 0);

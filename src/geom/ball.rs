@@ -4,8 +4,8 @@ use glam::{DVec3, Vec3};
 
 use super::{EnvironmentError, Real, Vector, check_environment};
 
-/// All points within a radius of one, the border included: where what is nearest is looked for. In single precision,
-/// or with [`DVec3`] in double.
+/// All points within a radius of a center, the border included: the range of a nearest-point query. It is in single
+/// precision, or with [`DVec3`] in double precision.
 ///
 /// ```
 /// use glam::Vec3;
@@ -21,7 +21,7 @@ pub struct Ball<V: Vector = Vec3> {
     radius: V::Real,
 }
 
-/// Why numbers are not a ball.
+/// Errors of the constructors of [`Ball`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BallError {
     /// A coordinate is NaN or infinite.
@@ -30,13 +30,13 @@ pub enum BallError {
     /// The radius is negative or NaN.
     #[error("radius {0} is negative or not a number")]
     Radius(f64),
-    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    /// This thread's floating-point arithmetic is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
 impl<V: Vector> Ball<V> {
-    /// The whole space, around a point.
+    /// Creates a ball of infinite radius around a point.
     ///
     /// # Errors
     /// [`BallError::Center`].
@@ -44,10 +44,10 @@ impl<V: Vector> Ball<V> {
         Self::new(center, V::Real::INFINITY)
     }
 
-    /// A ball. The radius may be 0, and infinite.
+    /// Creates a ball. The radius may be 0, and infinite.
     ///
     /// # Errors
-    /// What [`BallError`] lists.
+    /// [`BallError`].
     pub fn new(center: V, radius: V::Real) -> Result<Self, BallError> {
         check_environment()?;
         if !center.is_finite() {
@@ -60,12 +60,12 @@ impl<V: Vector> Ball<V> {
         Ok(Self { center, radius })
     }
 
-    /// Its middle, finite.
+    /// Returns the center, which is finite.
     pub const fn center(&self) -> V {
         self.center
     }
 
-    /// Not negative; infinite for the whole space.
+    /// Returns the radius, which is not negative; it is infinite for the whole space.
     pub const fn radius(&self) -> V::Real {
         self.radius
     }

@@ -1,4 +1,4 @@
-//! A ray that is known within bounds only.
+//! A ray that is known only within bounds.
 
 use glam::DVec3;
 
@@ -6,46 +6,47 @@ use super::slabs::{Approach, entry};
 use super::truth::{Relaxed, touch};
 use super::{Interval, Ray, Region, Vector};
 
-/// Bounds of the origin and of the direction of a ray: what is known of it in the space of an object that is placed by
-/// maps whose inverses are no floats.
+/// Bounds of the origin and of the direction of a ray, in the space of an object whose inverse maps are not exact in
+/// floats.
 ///
-/// Nothing is said about how the true components depend on each other. `[INST-3]`
+/// They are independent: they state no relation between the true components. `[INST-3]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnclosedRay {
-    /// Where `t` is [`start`](Self::start).
+    /// The point at which `t` is [`start`](Self::start).
     pub origin: [Interval; 3],
-    /// What `t` is measured in.
+    /// The unit of `t`.
     pub direction: [Interval; 3],
-    /// The distance of the origin: 0, or where a ray from afar enters a region that all that follows is in. `[INST-7]`
+    /// The distance of the origin: 0, or the entry of a distant ray into a region that contains all further tests.
+    /// `[INST-7]`
     pub start: Interval,
 }
 
 impl EnclosedRay {
-    /// From an origin on, in a direction.
+    /// Creates the bounds of a ray with `start` 0.
     pub const fn new(origin: [Interval; 3], direction: [Interval; 3]) -> Self {
         Self { origin, direction, start: Interval::exact(0.0) }
     }
 
-    /// Exactly this ray.
+    /// Creates bounds that contain exactly this ray.
     pub fn exact<V: Vector>(ray: &Ray<V>) -> Self {
         let exact = |v: V| v.components().map(|x| Interval::exact(x.into()));
         Self::new(exact(ray.origin()), exact(ray.direction()))
     }
 
-    /// As [`Ray::octant`], of some ray within the bounds.
+    /// Returns [`Ray::octant`] of some ray within the bounds.
     pub fn octant(&self) -> u8 {
         let (middles, _) = Interval::middles(&self.direction);
         middles.cmplt(DVec3::ZERO).bitmask() as u8
     }
 
-    /// Whether single precision is coarser than the boxes of a region are, or bounds of the origin are.
+    /// Returns whether single precision, or the bounds of the origin, are coarser than the boxes of a region.
     #[inline]
     pub(crate) fn is_far(&self, region: &Region) -> bool {
         let (origin, off) = Interval::middles(&self.origin);
         region.is_far(origin, off)
     }
 
-    /// The ray from where it enters a region, in doubles. `[INST-7]`
+    /// Moves the ray to its entry into a region, in doubles. `[INST-7]`
     pub(crate) fn approach(&self, region: &Region) -> Approach<Self> {
         let Self { origin, direction, .. } = region.frame().ray(self);
         let Some(by) = entry(region, &origin, &direction, 0.0) else { return Approach::Misses };
@@ -55,7 +56,8 @@ impl EnclosedRay {
         if moved.is_far(region) { Approach::Unknown } else { Approach::Enters(moved) }
     }
 
-    /// The ray from where it enters a region, of a line that is known exactly, as numbers over a common denominator.
+    /// Returns the ray from its entry into a region, for a line that is known exactly, as numbers over a common
+    /// denominator.
     pub(super) fn of_line(line: &[[Relaxed; 3]; 2], region: &Region) -> Option<Self> {
         let [o, d] = line;
         let start = touch(o, d, region.sides())?;

@@ -1,4 +1,4 @@
-//! Rays between points that are known exactly, though they are no floats: from where another ray has hit, or to it.
+//! Rays between exactly known points, for example from the hit of another ray.
 
 use std::array;
 use std::borrow::Cow;
@@ -16,11 +16,11 @@ use super::{
     AffineMap, EnclosedRay, Interval, Ray, RayError, Real, Region, Triangle, Vector, check_environment, meet_image,
 };
 
-/// A point of space that is known exactly: one of floats, or where a ray meets a triangle, which is not rounded. Floats
-/// are of single precision, or with [`DVec3`](glam::DVec3) of double. `[SECOND-1]`
+/// An exactly known point: a point of floats, or the unrounded intersection of a ray and a triangle. Floats are of
+/// single precision, or with [`DVec3`](glam::DVec3) of double precision. `[SECOND-1]`
 ///
-/// It is made of bounds in double precision, which decide nearly everything, and of what is needed to compute the
-/// rational point when bounds do not decide. A copy is cheap.
+/// It has bounds in double precision, which decide nearly all tests, and the data to compute the rational point if
+/// bounds do not decide. A copy is cheap.
 ///
 /// ```
 /// use glam::Vec3;
@@ -29,9 +29,9 @@ use super::{
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
 /// let ray = Ray::new(Vec3::new(1.0, 1.0, -7.0), Vec3::new(0.1, 0.2, 3.0))?;
 /// let point = ExactPoint::met(&ray, &triangle).ok_or("a miss")?;
-/// // It is on the triangle exactly, so a ray from it does not meet the triangle again.
+/// // The point is exactly on the triangle, so an open ray from it does not meet the triangle again.
 /// assert!(ExactPoint::met(point.ray(Vec3::X + Vec3::Z, f32::INFINITY, Ends::Open)?, &triangle).is_none());
-/// // Unless the point itself counts.
+/// // A closed ray includes the point.
 /// assert!(ExactPoint::met(point.ray(Vec3::X + Vec3::Z, f32::INFINITY, Ends::Closed)?, &triangle).is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -44,34 +44,35 @@ enum Place<V: Vector> {
     Met(Arc<Met<V>>),
 }
 
-/// Where a ray meets a triangle.
+/// The intersection of a ray and a triangle.
 #[derive(Debug)]
 struct Met<V: Vector> {
     bounds: [Interval; 3],
     surface: Surface<V>,
-    /// `None` if the point is known: a path would keep all its rays.
+    /// `None` once the point is computed: otherwise a path would keep all its rays.
     ray: Option<ExactRay<V>>,
     point: OnceLock<[RBig; 3]>,
-    /// How many points have to be computed before this one.
+    /// Number of points that must be computed before this one.
     generation: u32,
 }
 
-/// A triangle, and the maps that place it, from the innermost on.
+/// A triangle, and the maps that place it, innermost first.
 #[derive(Clone, Debug, PartialEq)]
 struct Surface<V: Vector> {
     triangle: Triangle<V>,
     maps: Vec<AffineMap<V::Real>>,
 }
 
-/// A triangle, and the maps that place it, likewise.
+/// A borrowed triangle, and the maps that place it, innermost first.
 pub(crate) type Image<'a, V> = (&'a Triangle<V>, &'a [AffineMap<<V as Vector>::Real>]);
 
-/// So many points of a path may be known by bounds only, one after the other. Then one is computed. `[SECOND-4]`
+/// Greatest number of consecutive points of a path that are known by bounds only. The next point is computed.
+/// `[SECOND-4]`
 const GENERATIONS: u32 = 8;
 
 /// A ray whose line is known exactly: `origin + t direction`, for `t` from 0 to its end. `[SECOND-1]`
 ///
-/// A [`Ray`] is one, too. See [`ExactPoint`] for those that begin on a surface.
+/// A [`Ray`] converts to it. See [`ExactPoint`] for rays that start on a surface.
 #[derive(Clone, Debug)]
 pub struct ExactRay<V: Vector = Vec3> {
     origin: ExactPoint<V>,
@@ -86,19 +87,19 @@ enum Way<V: Vector> {
     Toward(ExactPoint<V>),
 }
 
-/// Whether the ends of a ray belong to it. `[SECOND-2]`
+/// Whether the ray includes its ends. `[SECOND-2]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Ends {
-    /// They do not: `0 < t < tmax`. What contains the origin is not hit there, neither the triangle that the ray leaves,
-    /// nor its neighbours, nor others that touch it.
+    /// Excluded: `0 < t < tmax`. The ray does not hit triangles at its origin: neither the triangle that it leaves, nor
+    /// its neighbours, nor other triangles that touch it.
     Open,
-    /// They do: `0 <= t <= tmax`. All triangles that contain the origin are hit, but for those in whose planes the ray
-    /// runs.
+    /// Included: `0 <= t <= tmax`. The ray hits all triangles that contain the origin, except those whose planes
+    /// contain the ray.
     Closed,
 }
 
 impl<V: Vector> ExactPoint<V> {
-    /// A point of floats.
+    /// Creates a point of floats.
     ///
     /// # Errors
     /// [`RayError::Origin`] if it is not finite, and [`RayError::Environment`].
@@ -107,7 +108,7 @@ impl<V: Vector> ExactPoint<V> {
         if point.is_finite() { Ok(Self(Place::Floats(point))) } else { Err(RayError::Origin(point.widen())) }
     }
 
-    /// Where a ray meets a triangle; `None` for a miss.
+    /// Intersects a ray and a triangle; `None` for a miss.
     pub fn met(ray: impl Into<ExactRay<V>>, triangle: &Triangle<V>) -> Option<Self> {
         let ray = ray.into();
         let test = EnclosedTest::new(&ray.enclosed(), ray.interval(), &Region::of(&triangle.aabb()));
@@ -118,8 +119,8 @@ impl<V: Vector> ExactPoint<V> {
         ray.meet(triangle, &[]).map(|_| Self::of(ray, triangle, Vec::new(), None))
     }
 
-    /// The point at which a ray is known to meet the image of a triangle under maps, the first of which is applied
-    /// first, and bounds of the distance, if there are any.
+    /// Returns the point of a known intersection with the image of a triangle under maps, and bounds of the distance,
+    /// if there are any. The first map is applied first.
     pub(crate) fn of(
         ray: ExactRay<V>,
         triangle: &Triangle<V>,
@@ -143,18 +144,18 @@ impl<V: Vector> ExactPoint<V> {
         Self(Place::Met(Arc::new(Met { bounds, surface, ray, point, generation })))
     }
 
-    /// A ray from here, up to a distance in lengths of its direction, which may be infinite.
+    /// Creates a ray from this point. `tmax` is in units of the length of its direction, and may be infinite.
     ///
     /// # Errors
-    /// What [`RayError`] lists of direction and interval.
+    /// [`RayError`], for direction and interval.
     pub fn ray(&self, direction: V, tmax: V::Real, ends: Ends) -> Result<ExactRay<V>, RayError> {
         // Origins are finite.
         Ray::within(V::from_components([V::Real::ZERO; 3]), direction, V::Real::ZERO, tmax)?;
         Ok(ExactRay { origin: self.clone(), way: Way::Along(direction), interval: [V::Real::ZERO, tmax], ends })
     }
 
-    /// The ray from here to another point, at which `t` is 1. Where the ends are open, it asks whether one point can be
-    /// seen from the other.
+    /// Creates the ray from this point to another point, at which `t` is 1. If the ends are open, an any-hit query
+    /// tests whether one point is visible from the other.
     ///
     /// # Errors
     /// [`RayError::ZeroDirection`] if they are the same point, and [`RayError::Environment`].
@@ -169,7 +170,7 @@ impl<V: Vector> ExactPoint<V> {
         Ok(ExactRay { origin: self.clone(), way: Way::Toward(target.clone()), interval, ends })
     }
 
-    /// Bounds of each coordinate.
+    /// Returns bounds of each coordinate.
     pub fn bounds(&self) -> [Interval; 3] {
         match &self.0 {
             Place::Floats(point) => point.widen().to_array().map(Interval::exact),
@@ -177,12 +178,12 @@ impl<V: Vector> ExactPoint<V> {
         }
     }
 
-    /// The point itself. The first call takes some microseconds, more for points of long paths.
+    /// Returns the point as rational numbers. The first call takes some microseconds, more for points of long paths.
     pub fn rational(&self) -> Cow<'_, [RBig; 3]> {
         match &self.0 {
             Place::Floats(point) => Cow::Owned(rational(*point)),
             Place::Met(met) => Cow::Borrowed(met.point.get_or_init(|| {
-                // One of both is there.
+                // Either the point or its ray is present.
                 met.ray.as_ref().map(|ray| ray.point(&met.surface)).unwrap_or_default()
             })),
         }
@@ -197,22 +198,22 @@ impl<V: Vector> ExactPoint<V> {
 }
 
 impl<V: Vector> ExactRay<V> {
-    /// Where it begins.
+    /// Returns the origin.
     pub const fn origin(&self) -> &ExactPoint<V> {
         &self.origin
     }
 
-    /// The least and the greatest `t`.
+    /// Returns the least and the greatest `t`.
     pub const fn interval(&self) -> [V::Real; 2] {
         self.interval
     }
 
-    /// Whether these belong to it.
+    /// Returns whether the ray includes its ends.
     pub const fn ends(&self) -> Ends {
         self.ends
     }
 
-    /// Bounds of its line. `[SECOND-3]`
+    /// Returns bounds of its line. `[SECOND-3]`
     pub fn enclosed(&self) -> EnclosedRay {
         let origin = self.origin.bounds();
         let direction = match &self.way {
@@ -225,8 +226,8 @@ impl<V: Vector> ExactRay<V> {
         EnclosedRay::new(origin, direction)
     }
 
-    /// Where it meets the image of a triangle under maps, the first of which is applied first, in rational arithmetic:
-    /// a hit if this is within its ends. `[SECOND-2]`
+    /// Intersects the ray's line and the image of a triangle under maps, in rational arithmetic; the first map is
+    /// applied first. The result is a hit if it is within the ray's ends. `[SECOND-2]`
     pub fn meet(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<Point> {
         if self.leaves(triangle, || maps) {
             return None;
@@ -236,8 +237,8 @@ impl<V: Vector> ExactRay<V> {
         (self.ends == Ends::Closed || !self.interval.into_iter().any(is_end)).then_some(point)
     }
 
-    /// Whether it begins on this image of a triangle, and its origin does not count: its line meets what contains the
-    /// origin there or nowhere. The maps are asked for where the triangle is the same.
+    /// Returns whether the ray starts on this image of a triangle and excludes its origin: then its line meets the
+    /// triangle at the origin or not at all. `maps` is called only if the triangle is the same.
     pub(crate) fn leaves<M: AsRef<[AffineMap<V::Real>]>>(
         &self,
         triangle: &Triangle<V>,
@@ -248,8 +249,8 @@ impl<V: Vector> ExactRay<V> {
                 if met.surface.triangle == *triangle && met.surface.maps == maps().as_ref())
     }
 
-    /// Distance to the image of a triangle, by twice the digits of a double: where these tell whether it is met, and the
-    /// distance is not at an end. `[INST-5]`
+    /// Returns the distance to the image of a triangle, by twice the digits of a double: if these decide the hit, and
+    /// the distance is not at an end. `[INST-5]`
     pub(crate) fn fine_distance(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Certainty<V::Real> {
         let Some([o, d]) = self.floats() else { return Certainty::Open };
         let (images, o) = (fine_images(triangle.0, maps), o.widen());
@@ -257,13 +258,14 @@ impl<V: Vector> ExactRay<V> {
         found.map_or(Certainty::Open, |found| found.met(&images, o, self.interval))
     }
 
-    /// The weights of the second and the third corner of a triangle that it is known to meet, likewise.
+    /// Returns the weights of the second and the third corner of a triangle that the ray is known to meet, by twice the
+    /// digits of a double.
     pub(crate) fn fine_weights(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Option<[V::Real; 2]> {
         let [o, d] = self.floats()?.map(Vector::widen);
         FineDeterminants::within_range(&fine_images(triangle.0, maps), o, d)?.weights()
     }
 
-    /// Compares the distances to the images of two triangles, each under its maps, which it is known to meet.
+    /// Compares the distances to the images of two triangles that the ray is known to meet, each under its maps.
     /// `[EXACT-13]`
     pub(crate) fn compare(&self, images: [Image<'_, V>; 2]) -> Ordering {
         let by_digits = || {
@@ -282,7 +284,7 @@ impl<V: Vector> ExactRay<V> {
         })
     }
 
-    /// Origin and direction, if both are of floats.
+    /// Returns origin and direction, if both consist of floats.
     const fn floats(&self) -> Option<[V; 2]> {
         match (&self.origin.0, &self.way) {
             (Place::Floats(origin), Way::Along(direction)) => Some([*origin, *direction]),
@@ -290,7 +292,7 @@ impl<V: Vector> ExactRay<V> {
         }
     }
 
-    /// Where its line meets the image of a triangle.
+    /// Intersects the line and the image of a triangle.
     fn cross(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> Meeting {
         if let Some([origin, direction]) = self.floats() {
             return meet_image(triangle.0, maps, origin, direction);
@@ -301,8 +303,8 @@ impl<V: Vector> ExactRay<V> {
         meet_integers([v0, v1, v2, o, d])
     }
 
-    /// The ray in the space of an object under maps, the last of which is the outermost, from where it enters a region there,
-    /// in rational arithmetic. `None` if it misses the region. `[INST-7]`
+    /// Returns the ray in the space of an object under maps, from its entry into a region there, in rational
+    /// arithmetic. The last map is the outermost. `None` if the ray misses the region. `[INST-7]`
     pub(crate) fn approach(&self, maps: &[AffineMap<V::Real>], region: &Region) -> Option<EnclosedRay> {
         let line = maps.iter().rev().fold(self.whole_line(), |line, map| map.pull_back_exactly(line));
         let (line, over) = line;
@@ -310,7 +312,7 @@ impl<V: Vector> ExactRay<V> {
         EnclosedRay::of_line(&line.map(|v| v.map(over_common)), region)
     }
 
-    /// Origin and direction, as integers over the second number.
+    /// Returns origin and direction, as integers over the second number.
     fn whole_line(&self) -> ([[IBig; 3]; 2], IBig) {
         let line = self.line();
         let over = line.as_flattened().iter().fold(UBig::ONE, |over, x| {
@@ -321,7 +323,7 @@ impl<V: Vector> ExactRay<V> {
         (line.each_ref().map(|v| v.each_ref().map(integer)), over.into())
     }
 
-    /// The point at which it meets a triangle; known to exist.
+    /// Returns the point at which the ray meets a triangle; it must exist.
     fn point(&self, Surface { triangle, maps }: &Surface<V>) -> [RBig; 3] {
         let t = match self.cross(triangle, maps) {
             Meeting::Hit(point) => point.t,
@@ -331,7 +333,7 @@ impl<V: Vector> ExactRay<V> {
         array::from_fn(|k| &origin[k] + &t * &direction[k])
     }
 
-    /// Origin and direction.
+    /// Returns origin and direction.
     fn line(&self) -> [[RBig; 3]; 2] {
         let origin = self.origin.rational().into_owned();
         let direction = match &self.way {
@@ -344,7 +346,7 @@ impl<V: Vector> ExactRay<V> {
         [origin, direction]
     }
 
-    /// Whether all distances within bounds are certainly its own.
+    /// Returns whether all distances within bounds are certainly in the ray's interval.
     fn holds(&self, [near, far]: [f64; 2]) -> bool {
         let [tmin, tmax]: [f64; 2] = self.interval.map(Into::into);
         tmin < near && far < tmax
@@ -356,7 +358,7 @@ impl<V: Vector> ExactRay<V> {
     }
 }
 
-/// The same; it is finite.
+/// Converts a finite vector to rational numbers.
 fn rational<V: Vector>(v: V) -> [RBig; 3] {
     v.widen().to_array().map(|x| RBig::try_from(x).unwrap_or_default())
 }

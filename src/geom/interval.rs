@@ -1,4 +1,4 @@
-//! Intervals of doubles that hold what they stand for.
+//! Intervals of doubles that contain the numbers they represent.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -9,8 +9,8 @@ use super::frame::power_of_two;
 use super::kernel::{two_product, two_sum};
 use super::truth::{Number as _, Relaxed};
 
-/// All numbers from a least to a greatest. Sums, differences and products hold all sums, differences and products of
-/// numbers that the operands hold: ends are rounded outwards, where they are rounded at all. `[INST-3]`
+/// All numbers from a least to a greatest. Sums, differences and products contain all sums, differences and products of
+/// numbers in the operands: inexact ends are rounded outwards. `[INST-3]`
 ///
 /// Lower ends are never +infinity, upper ends never -infinity, and neither is NaN.
 ///
@@ -29,17 +29,17 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// One number, which must be finite.
+    /// Creates an interval of one number, which must be finite.
     pub const fn exact(x: f64) -> Self {
         Self { lo: x, hi: x }
     }
 
-    /// From one end to the other, in this order.
+    /// Creates an interval from its ends, in this order.
     pub const fn between([lo, hi]: [f64; 2]) -> Self {
         Self { lo, hi }
     }
 
-    /// The narrowest one that holds a number.
+    /// Returns the narrowest interval that contains a number.
     pub(super) fn around(x: &Relaxed) -> Self {
         let nearest = f64::nearest_to(x);
         // An infinity is beyond all numbers.
@@ -51,25 +51,25 @@ impl Interval {
         })
     }
 
-    /// The least and the greatest number.
+    /// Returns the least and the greatest number.
     #[inline]
     pub const fn ends(&self) -> [f64; 2] {
         [self.lo, self.hi]
     }
 
-    /// Whether it holds one number only.
+    /// Returns whether it contains one number only.
     #[inline]
     pub(super) fn is_exact(&self) -> bool {
         self.lo == self.hi
     }
 
-    /// Whether 0 is the only number.
+    /// Returns whether 0 is the only number.
     #[inline]
     pub fn is_zero(&self) -> bool {
         self.lo == 0.0 && self.hi == 0.0
     }
 
-    /// A number, and how far from it the others may be. NaN or infinite if an end is.
+    /// Returns a number, and the greatest distance of the other numbers from it. They are NaN or infinite if an end is.
     #[inline]
     pub fn middle_and_radius(&self) -> [f64; 2] {
         let middle = self.lo * 0.5 + self.hi * 0.5;
@@ -78,8 +78,8 @@ impl Interval {
         [middle, if radius == 0.0 { 0.0 } else { radius.next_up() }]
     }
 
-    /// The middles of three, and how far from these the others may be in each. Where an end is NaN or infinite, so is a
-    /// middle, and the distance means nothing.
+    /// Returns the centers of three intervals, and the greatest distance of the other numbers from each. If an end is
+    /// NaN or infinite, so is a center, and the distance is meaningless.
     #[inline(always)]
     pub(super) fn middles([x, y, z]: &[Self; 3]) -> (DVec3, f64) {
         let ([x, off_x], [y, off_y], [z, off_z]) =
@@ -87,20 +87,21 @@ impl Interval {
         (DVec3::new(x, y, z), off_x.max(off_y).max(off_z))
     }
 
-    /// Times 2 to the power of an exponent from -1000 to 1000: the narrowest interval of doubles that holds all products.
-    /// `[INST-3]`
+    /// Multiplies by 2 to the power of an exponent from -1000 to 1000: the narrowest interval of doubles that contains
+    /// all products. `[INST-3]`
     #[inline]
     pub(super) fn scaled(self, exponent: i32) -> Self {
         let (factor, back) = (power_of_two(exponent), power_of_two(-exponent));
         let (lo, hi) = (self.lo * factor, self.hi * factor);
-        // An end that was not rounded comes back unchanged. One that was rounded inwards comes back too great or too small.
+        // The inverse product restores an end that was not rounded. An end that was rounded inwards becomes too great
+        // or too small.
         Self {
             lo: if lo * back > self.lo { lo.next_down() } else { lo },
             hi: if hi * back < self.hi { hi.next_up() } else { hi },
         }
     }
 
-    /// The greatest float of single precision that is not above, and the least that is not below.
+    /// Rounds the ends outwards to single precision.
     #[inline]
     pub fn ends_in_single(&self) -> [f32; 2] {
         let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
@@ -116,7 +117,7 @@ impl Add for Interval {
     fn add(self, other: Self) -> Self {
         let (lo, below) = two_sum(self.lo, other.lo);
         let (hi, above) = two_sum(self.hi, other.hi);
-        // What rounding left out is NaN after an overflow: then the neighbour is the greatest float.
+        // The rounding error is NaN after an overflow: then the neighbour is the greatest float.
         Self { lo: if below >= 0.0 { lo } else { lo.next_down() }, hi: if above <= 0.0 { hi } else { hi.next_up() } }
     }
 }
@@ -144,7 +145,7 @@ impl Mul for Interval {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        // That a component of a direction is 0 must not be lost.
+        // A zero component of a direction must stay zero.
         if self.is_zero() || other.is_zero() {
             return Self::exact(0.0);
         }
@@ -165,7 +166,7 @@ impl Mul for Interval {
     }
 }
 
-/// The product, if it is a double and two-product can tell.
+/// Returns the product, if it is a double and two-product can prove this.
 #[inline]
 fn exact_product(a: f64, b: f64) -> Option<f64> {
     let (product, rest) = two_product(a, b);

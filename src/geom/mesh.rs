@@ -4,15 +4,16 @@ use glam::{DVec3, Vec3};
 
 use super::{EnvironmentError, Frame, Vector, check_environment};
 
-/// Greatest number of vertices and of triangles: what [`Node`](crate::tree::Node) can address.
+/// Greatest number of vertices and of triangles: the range of [`Node`](crate::tree::Node).
 pub const MAX_COUNT: usize = (1 << 31) - 1;
 
-/// Vertices with finite coordinates, and at least one triangle over them.
+/// A triangle mesh: vertices with finite coordinates, and at least one triangle over them.
 ///
-/// The position of a triangle in [`triangles`](Self::triangles) is its primitive index: the order of the file, with
-/// polygons fanned out in place. Degenerate triangles and unused vertices are kept; they are input data.
+/// The position of a triangle in [`triangles`](Self::triangles) is its primitive index: the order of the file, where
+/// the triangles of a polygon replace it. Degenerate triangles and unused vertices are kept, because they are input
+/// data.
 ///
-/// Coordinates are in single precision, or with [`DVec3`] in double.
+/// Coordinates are in single precision, or with [`DVec3`] in double precision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh<V = Vec3> {
     vertices: Vec<V>,
@@ -20,7 +21,7 @@ pub struct Mesh<V = Vec3> {
     frame: Frame,
 }
 
-/// Why vertices and triangles are not a mesh.
+/// Errors of [`Mesh::new`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
     /// There is nothing to hit.
@@ -31,7 +32,7 @@ pub enum MeshError {
     TooMany {
         /// `vertices` or `triangles`.
         what: &'static str,
-        /// How many there are.
+        /// The number of them.
         count: usize,
     },
     /// A coordinate is NaN or infinite.
@@ -39,7 +40,7 @@ pub enum MeshError {
     NonFinite {
         /// Index of the vertex.
         vertex: usize,
-        /// Where it is.
+        /// Its position.
         position: DVec3,
     },
     /// A corner is not a vertex.
@@ -47,21 +48,21 @@ pub enum MeshError {
     Index {
         /// Index of the triangle.
         triangle: usize,
-        /// The corner.
+        /// The index of the corner.
         index: u32,
         /// Number of vertices.
         vertices: usize,
     },
-    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    /// This thread's floating-point arithmetic is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
 impl<V: Vector> Mesh<V> {
-    /// The mesh of these triangles, each three indices into `vertices`.
+    /// Creates a mesh of these triangles, each three indices into `vertices`.
     ///
     /// # Errors
-    /// What [`MeshError`] lists; of several offenders the first.
+    /// [`MeshError`]; of several errors the first.
     pub fn new(vertices: Vec<V>, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         check_environment()?;
         check_counts(vertices.len(), triangles.len())?;
@@ -77,25 +78,25 @@ impl<V: Vector> Mesh<V> {
         Ok(Self { vertices, triangles, frame })
     }
 
-    /// Positions, in the order of the file.
+    /// Returns the positions, in the order of the file.
     #[inline]
     pub fn vertices(&self) -> &[V] {
         &self.vertices
     }
 
-    /// Corners of every triangle, as indices into [`vertices`](Self::vertices).
+    /// Returns the corners of every triangle, as indices into [`vertices`](Self::vertices).
     #[inline]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
-    /// The frame in which hierarchies over it keep boxes. In single precision it is [`Frame::IDENTITY`].
+    /// Returns the frame for the boxes of its hierarchies. In single precision it is [`Frame::IDENTITY`].
     #[inline]
     pub fn frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// Corners of the triangle with this index.
+    /// Returns the corners of the triangle with this index.
     ///
     /// # Panics
     /// If there is no such triangle.

@@ -1,4 +1,4 @@
-//! Rays, boxes and triangles, and the tests of one against the other: exact, and less so.
+//! Rays, boxes and triangles, and their intersection tests, exact and inexact.
 
 mod aabb;
 mod affine;

@@ -1,20 +1,20 @@
 //! The distance from a point to a triangle, correctly rounded, in single and in double precision.
 //!
-//! A point `q` of the triangle that double precision thinks nearest gives two bounds, whatever it is worth. All of the
-//! triangle is at least as far away as the plane across `q` that touches it: seen from the query point, no `x` in the
-//! triangle has less than `min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to the same
-//! float of single precision, that is the answer. `[NEAR-1]` Else bounds of twice the digits tell it, which double
-//! precision always needs, `[NEAR-5]` or rational arithmetic. Where the nearest point is is asked only of what is found:
-//! doubles with bounds tell it, or the same two. `[NEAR-3]`
+//! Double precision computes a point `q` that is probably the nearest point of the triangle. Any `q` gives two bounds.
+//! The whole triangle is at least as far away as the supporting plane across `q`: relative to the query point, each `x`
+//! in the triangle satisfies `|x| >= min(q . corner) / |q|`. And `q` itself is in the triangle. If both bounds round to
+//! the same float of single precision, that is the answer. `[NEAR-1]` Otherwise bounds of twice the digits decide,
+//! which double precision always needs, `[NEAR-5]` or rational arithmetic. The nearest point itself is computed only
+//! for the result: by doubles with bounds, twice the digits or rational arithmetic. `[NEAR-3]`
 //!
 //! # Rounding
 //!
-//! With u = 2^-53, corners relative to the query point are off by u of their components, of which M is the greatest. A
-//! dot product with `q` is then off by at most 7 u |q| M (4 roundings, |corner| <= sqrt(3) M), which moves the lower
-//! bound by 7 u M. `q = a + v (b - a) + w (c - a)` has components off by at most 13 u M, and `v + w` may exceed 1 by 3
-//! u, which moves `q` by no more than 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is nearly twice the greater one, for
-//! the roundings of the bounds themselves. Nothing overflows where M is in [`RANGE`], as it is in single precision, and
-//! what underflows is far less than `u M`, where |q| is above [`SHORT`].
+//! With u = 2^-53, corners relative to the query point have a relative error of u in their components; M is the
+//! greatest component. The error of a dot product with `q` is then at most 7 u |q| M (4 roundings, |corner| <= sqrt(3)
+//! M), which moves the lower bound by 7 u M. The components of `q = a + v (b - a) + w (c - a)` have an error of at most
+//! 13 u M, and `v + w` may exceed 1 by 3 u, which moves `q` by at most 6 sqrt(3) u M: 34 u M together. [`MARGIN`] is
+//! nearly twice the greater one, for the roundings of the bounds themselves. Nothing overflows if M is in [`RANGE`], as
+//! it is in single precision, and underflow is far less than `u M` if |q| is above [`SHORT`].
 
 mod afar;
 mod cone;
@@ -42,35 +42,36 @@ use super::{Aabb, Frame, Interval, Real, Triangle, Vector};
 const MARGIN: f64 = 64.0 * UNIT;
 const UNIT: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// The greatest component, where the bounds hold: 2^-200 to 2^200.
+/// The greatest component, for valid bounds: 2^-200 to 2^200.
 const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 200) << 52)..=f64::from_bits((1023 + 200) << 52);
 
-/// What is as short, 2^-300, has no direction.
+/// A vector of at most this length, 2^-300, has no direction.
 const SHORT: f64 = f64::from_bits((1023 - 300) << 52);
 
 /// Squares of distances that neither over- nor underflow: 2^-900 to the greatest number.
 const SQUARES: RangeInclusive<f64> = f64::from_bits((1023 - 900) << 52)..=f64::MAX;
 
-/// A point that triangles and boxes are measured from, in single precision, or with [`DVec3`] in double.
+/// A point and a radius, to measure distances of triangles and boxes. It is in single precision, or with [`DVec3`] in
+/// double precision.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure<V: Vector = Vec3> {
     point: V,
     radius: V::Real,
-    /// Of boxes; bounds of the point there, and the unit of length.
+    /// The frame of boxes; bounds of the point there, and the unit of length.
     frame: Frame,
     in_frame: [DVec3; 2],
-    /// The same in single precision.
+    /// Bounds in single precision.
     ends_in_frame: [Vec3; 2],
     unit: f64,
 }
 
 impl<V: Vector> Measure<V> {
-    /// Measures from a point, which must be finite, up to a radius, included, which must not be negative or NaN.
+    /// Creates a measure from a point, which must be finite. The radius is included, and must not be negative or NaN.
     pub fn new(point: V, radius: V::Real) -> Self {
         Self::within(&Frame::IDENTITY, point, radius)
     }
 
-    /// The same, for boxes in a frame. `[FRAME-1]`
+    /// Creates a measure for boxes in a frame. `[FRAME-1]`
     pub fn within(frame: &Frame, point: V, radius: V::Real) -> Self {
         let in_frame @ [least, most] = frame.ends(point.widen());
         let ends = [0, 1, 2].map(|k| Interval::between([least[k], most[k]]).ends_in_single());
@@ -78,17 +79,17 @@ impl<V: Vector> Measure<V> {
         Self { point, radius, frame: *frame, in_frame, ends_in_frame, unit: power_of_two(frame.exponent()) }
     }
 
-    /// The point.
+    /// Returns the point.
     pub const fn point(&self) -> V {
         self.point
     }
 
-    /// Bounds of the point in the frame of boxes.
+    /// Returns bounds of the point in the frame of boxes.
     pub(crate) const fn ends_in_frame(&self) -> [Vec3; 2] {
         self.ends_in_frame
     }
 
-    /// A distance in the units of the frame, rounded up.
+    /// Converts a distance to the units of the frame, rounded up.
     pub(crate) fn in_frame(&self, distance: V::Real) -> f32 {
         let [_, up] = if self.frame.is_identity() {
             distance.ends_in_single()
@@ -98,26 +99,26 @@ impl<V: Vector> Measure<V> {
         up
     }
 
-    /// A distance from those units.
+    /// Converts a distance from the units of the frame.
     pub(crate) fn out_of_frame(&self, distance: f32) -> V::Real {
         V::Real::rounded(f64::from(distance) * self.unit)
     }
 
-    /// The float nearest to the exact distance of the triangle, if that is at most the radius.
+    /// Returns the float nearest to the exact distance of the triangle, if that is at most the radius.
     ///
-    /// A distance that rounds to more than `limit` may be left out.
+    /// It may omit a distance that rounds to more than `limit`.
     #[inline]
     pub fn distance(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<V::Real> {
         let bounds = self.bounds(triangle, limit)?;
         self.certain(bounds.map(|bound| [bound, 0.0])).or_else(|| self.settle(triangle, bounds[1], limit))
     }
 
-    /// Bounds of the distance, if it may be at most the radius and round to at most `limit`. Where double precision knows
-    /// none, the second is a NaN.
+    /// Returns bounds of the distance, if it may be at most the radius and round to at most `limit`. If double
+    /// precision gives no bounds, the second is a NaN.
     #[inline]
     pub(crate) fn bounds(&self, triangle: &Triangle<V>, limit: V::Real) -> Option<[f64; 2]> {
         let corners @ [a, b, c] = triangle.widen();
-        // Its box is measured faster.
+        // The distance of its box is computed faster.
         if V::Real::rounded(self.least_distance(a.min(b).min(c), a.max(b).max(c))) > limit {
             return None;
         }
@@ -127,7 +128,7 @@ impl<V: Vector> Measure<V> {
         (!is_beyond).then_some([near, far])
     }
 
-    /// The distance that these bounds leave open. It is at most `far`, if that is a number.
+    /// Returns the distance that these bounds leave undecided. It is at most `far`, if that is a number.
     #[inline(never)]
     pub(crate) fn settle(&self, triangle: &Triangle<V>, far: f64, limit: V::Real) -> Option<V::Real> {
         let near = cone::least_distance(&triangle.widen(), self.point.widen());
@@ -144,7 +145,8 @@ impl<V: Vector> Measure<V> {
         self.fine(triangle).or_else(|| self.exact_distance(triangle))
     }
 
-    /// The [`distance`](Self::distance), which must be below the radius, and the [`nearest`](Self::nearest) point.
+    /// Returns the [`distance`](Self::distance), which must be below the radius, and the [`nearest`](Self::nearest)
+    /// point.
     pub(crate) fn distance_and_nearest(&self, triangle: &Triangle<V>) -> (V::Real, V) {
         let (corners, point) = (triangle.widen(), self.point.widen());
         let parts = Parts::decided(&corners, point);
@@ -152,12 +154,12 @@ impl<V: Vector> Measure<V> {
         let distance = parts.zip(foot).and_then(|(parts, foot)| self.distance_of(parts, &corners, foot));
         let distance = distance.or_else(|| self.exact_distance(triangle));
         let nearest = foot.and_then(rounded).map_or_else(|| self.exact_nearest(triangle), V::from_components);
-        // That of a triangle beyond the radius is not asked.
+        // Callers pass no triangle beyond the radius.
         (distance.unwrap_or(self.radius), nearest)
     }
 
-    /// The point of the triangle that is nearest, exact but for its coordinates: each is rounded once, to the nearest
-    /// float, of two the even one. A zero is positive. `[NEAR-3]`
+    /// Returns the nearest point of the triangle, exact except for the rounding of its coordinates: each is rounded
+    /// once to the nearest float, ties to even. A zero is positive. `[NEAR-3]`
     ///
     /// NaN if a coordinate of the triangle is not finite.
     pub fn nearest(&self, triangle: &Triangle<V>) -> V {
@@ -169,16 +171,17 @@ impl<V: Vector> Measure<V> {
         coordinates.map_or_else(|| self.exact_nearest(triangle), V::from_components)
     }
 
-    /// At most the distance of the box, which is in the frame.
+    /// Returns a lower bound of the distance of the box, which is in the frame.
     #[inline]
     pub fn to_box(&self, aabb: &Aabb) -> f64 {
         let [least, most] = self.in_frame;
         let distance = length_of(aabb.lo.as_dvec3() - most, least - aabb.hi.as_dvec3()) * self.unit;
-        // It is below the exact one by more than this rounds, unless it underflows.
+        // The bound is below the exact distance by more than this rounding, unless it underflows.
         if distance < f64::MIN_POSITIVE { 0.0 } else { distance.min(f64::MAX) }
     }
 
-    /// At most the distance of what is in the box, rounded: by twice the digits where fewer leave it open. `[NEAR-8]`
+    /// Returns a lower bound of the rounded distance of points in the box: by twice the digits if fewer leave it
+    /// undecided. `[NEAR-8]`
     pub fn to_box_by_digits(&self, aabb: &Aabb) -> V::Real {
         let least = self.to_box(aabb);
         let [near, far] = [least, least * (1.0 + 32.0 * UNIT)].map(V::Real::rounded);
@@ -191,31 +194,31 @@ impl<V: Vector> Measure<V> {
         fine.and_then(|least| V::Real::between([least; 2])).filter(|&fine| fine > near).unwrap_or(near)
     }
 
-    /// At most the distance of what lies between two corners, which may be infinitely far apart.
+    /// Returns a lower bound of the distance of points between two corners, which may be infinitely far apart.
     #[inline]
     fn least_distance(&self, lo: DVec3, hi: DVec3) -> f64 {
         length_of(lo - self.point.widen(), self.point.widen() - hi)
     }
 
-    /// The distance that bounds settle: all between rounds to it, and is within the radius.
+    /// Returns the distance that bounds decide: all numbers between them round to it, and it is within the radius.
     #[inline]
     pub(crate) fn certain(&self, bounds: [[f64; 2]; 2]) -> Option<V::Real> {
         V::Real::between(bounds).filter(|&distance| distance < self.radius)
     }
 
-    /// By twice the digits.
+    /// Decides by twice the digits.
     #[inline(never)]
     fn fine(&self, triangle: &Triangle<V>) -> Option<V::Real> {
         let (corners, point) = (triangle.widen(), self.point.widen());
         if corners.contains(&point) {
-            // With any radius about it, no bounds tell that it is 0.
+            // Bounds with a positive radius cannot prove that it is 0.
             return Some(V::Real::default());
         }
         let parts = Parts::decided(&corners, point)?;
         self.distance_of(parts, &corners, parts.foot(&corners, point)?)
     }
 
-    /// The distance of a foot.
+    /// Returns the distance of a foot.
     fn distance_of(&self, parts: Parts, corners: &[DVec3; 3], foot: [Fine; 3]) -> Option<V::Real> {
         let point = self.point.widen();
         let height = || parts.only()?.height(corners, point);
@@ -227,7 +230,7 @@ impl<V: Vector> Measure<V> {
     fn exact_distance(&self, triangle: &Triangle<V>) -> Option<V::Real> {
         let square = truth::square_distance(triangle.0.map(V::components), self.point.components())?;
         let radius: f64 = self.radius.into();
-        // An infinite radius is no rational number.
+        // An infinite radius is not a rational number.
         let is_within = RBig::try_from(radius).map_or(true, |radius| square <= &radius * &radius);
         is_within.then(|| truth::round_root(&square))
     }
@@ -242,7 +245,7 @@ impl<V: Vector> Measure<V> {
     }
 }
 
-/// At most the length of the vector whose components are the greater ones of these two, and 0.
+/// Returns a lower bound of the length of the vector whose components are the maxima of these two and 0.
 #[inline]
 fn length_of(below: DVec3, above: DVec3) -> f64 {
     let beside = below.max(above).max(DVec3::ZERO);
@@ -252,7 +255,8 @@ fn length_of(below: DVec3, above: DVec3) -> f64 {
     length * (1.0 - 8.0 * UNIT)
 }
 
-/// The length of a vector whose square over- or underflows: of one below 2^-900 the greatest component, which is not more.
+/// Returns the length of a vector whose square over- or underflows. Below 2^-900 it is the greatest component, which is
+/// a lower bound.
 #[cold]
 fn rare_length(vector: DVec3) -> f64 {
     let greatest = vector.max_element().min(f64::MAX);
@@ -263,12 +267,12 @@ fn rare_length(vector: DVec3) -> f64 {
     ((vector * power_of_two(-exponent)).length() * power_of_two(exponent)).min(f64::MAX)
 }
 
-/// The floats that the coordinates of all points of a box round to, if it is one for each.
+/// Returns the floats to which the coordinates of all points of a box round, if each is unique.
 fn rounded<E: Enclosure, R: Real>([x, y, z]: [E; 3]) -> Option<[R; 3]> {
     Some([R::between(x.bounds())?, R::between(y.bounds())?, R::between(z.bounds())?])
 }
 
-/// Bounds of the distance of the triangle from zero.
+/// Returns bounds of the distance of the triangle from zero.
 #[inline]
 fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
     let q = nearest(corners);
@@ -279,13 +283,13 @@ fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
     }
     let (margin, length) = (MARGIN * greatest, q.length());
     let [a, b, c] = corners.map(|corner| q.dot(corner));
-    // A NaN, where there is no guess, is dropped.
+    // A NaN, if there is no guess, is dropped.
     let near = (a.min(b).min(c) / length * (1.0 - 8.0 * UNIT) - margin).max(0.0);
     [if length > SHORT { near } else { 0.0 }, length * (1.0 + 8.0 * UNIT) + margin]
 }
 
-/// The point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection", 5.1.5: by
-/// the Voronoi regions of corners and edges). NaN where rounding leaves open where it is.
+/// Returns the point of a triangle that is nearest to zero, rounded (Ericson 2005, "Real-time collision detection",
+/// 5.1.5: by the Voronoi regions of corners and edges). NaN if rounding leaves its region undecided.
 #[inline]
 fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
@@ -313,7 +317,7 @@ fn nearest(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
     if of_a <= 0.0 && d4 >= d3 && d5 >= d6 {
         return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
     }
-    // Rounded weights of a needle may have any sign: then this is no point of it, and there is no guess.
+    // Rounded weights of a needle may have any sign: then they give no point of the needle, and there is no guess.
     if !(of_a > 0.0 && of_b > 0.0 && of_c > 0.0) {
         return DVec3::NAN;
     }

@@ -1,14 +1,14 @@
-//! What was asked last, and its answer.
+//! A cache of one answer.
 
-/// The shape that was asked last, and its answer: shapes that coincide have one.
+/// The shape of the last query, and its answer: coincident shapes share it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Once<S, A>(Option<(S, A)>);
 
 impl<S: Copy + PartialEq, A: Copy> Once<S, A> {
-    /// Nothing was asked.
+    /// No query so far.
     pub(crate) const NEVER: Self = Self(None);
 
-    /// The same, without a copy of all that is not there.
+    /// Creates an empty cache as [`NEVER`](Self::NEVER), without a copy of an absent answer.
     #[inline(always)]
     pub(crate) fn never() -> Self {
         Self(None)

@@ -4,10 +4,10 @@ use glam::{DVec3, Vec3};
 
 use super::{EnvironmentError, Real, Vector, check_environment};
 
-/// A half-line `origin + t direction`, or the part of it with `tmin <= t <= tmax`, both ends included; in single
-/// precision, or with [`DVec3`] in double.
+/// A half-line `origin + t direction`, or the part of it with `tmin <= t <= tmax`, both ends included. It is in single
+/// precision, or with [`DVec3`] in double precision.
 ///
-/// The direction need not have unit length; `t` is measured in its lengths.
+/// The direction need not have unit length; `t` is in units of its length.
 ///
 /// ```
 /// use glam::Vec3;
@@ -15,7 +15,7 @@ use super::{EnvironmentError, Real, Vector, check_environment};
 ///
 /// let ray = Ray::new(Vec3::ZERO, Vec3::X)?;
 /// assert_eq!((ray.tmin(), ray.tmax()), (0.0, f32::INFINITY));
-/// // From a surface to a light, without either.
+/// // From a surface to a light, without the two end points.
 /// let shadow = Ray::within(Vec3::ZERO, Vec3::X, 1e-3, 0.999)?;
 /// assert_eq!((shadow.tmin(), shadow.tmax()), (1e-3, 0.999));
 /// assert_eq!(Ray::new(Vec3::ZERO, Vec3::ZERO), Err(RayError::ZeroDirection));
@@ -29,7 +29,7 @@ pub struct Ray<V: Vector = Vec3> {
     tmax: V::Real,
 }
 
-/// Why numbers are not a ray.
+/// Errors of the constructors of [`Ray`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum RayError {
     /// A component of the origin is NaN or infinite.
@@ -60,24 +60,24 @@ pub enum RayError {
         /// Far end.
         tmax: f64,
     },
-    /// This thread's floats are not those of IEEE 754. `[ENV-1]`
+    /// This thread's floating-point arithmetic is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
 impl<V: Vector> Ray<V> {
-    /// A ray from its origin on, without an end.
+    /// Creates a ray from its origin to infinity.
     ///
     /// # Errors
-    /// What [`RayError`] lists of origin and direction.
+    /// [`RayError`], for origin and direction.
     pub fn new(origin: V, direction: V) -> Result<Self, RayError> {
         Self::within(origin, direction, V::Real::default(), V::Real::INFINITY)
     }
 
-    /// A ray over the given interval. `tmax` may be infinite.
+    /// Creates a ray over the given interval. `tmax` may be infinite.
     ///
     /// # Errors
-    /// What [`RayError`] lists.
+    /// [`RayError`].
     pub fn within(origin: V, direction: V, tmin: V::Real, tmax: V::Real) -> Result<Self, RayError> {
         check_environment()?;
         let (near, far): (f64, f64) = (tmin.into(), tmax.into());
@@ -102,37 +102,38 @@ impl<V: Vector> Ray<V> {
         Ok(Self { origin, direction, tmin, tmax })
     }
 
-    /// Where `t` is 0.
+    /// Returns the point at `t` = 0.
     #[inline]
     pub const fn origin(&self) -> V {
         self.origin
     }
 
-    /// Finite and not zero.
+    /// Returns the direction, which is finite and not zero.
     #[inline]
     pub const fn direction(&self) -> V {
         self.direction
     }
 
-    /// Near end of the interval, at least 0.
+    /// Returns the near end of the interval, at least 0.
     #[inline]
     pub const fn tmin(&self) -> V::Real {
         self.tmin
     }
 
-    /// Far end of the interval, at least `tmin`.
+    /// Returns the far end of the interval, at least `tmin`.
     #[inline]
     pub const fn tmax(&self) -> V::Real {
         self.tmax
     }
 
-    /// The same ray in double precision.
+    /// Converts the ray to double precision, exactly.
     pub(super) fn widen(&self) -> Ray<DVec3> {
         let Self { origin, direction, tmin, tmax } = *self;
         Ray { origin: origin.widen(), direction: direction.widen(), tmin: tmin.into(), tmax: tmax.into() }
     }
 
-    /// Bit `a` is set where component `a` of the direction is negative; for [`SignOrder`](crate::order::SignOrder).
+    /// Returns a mask whose bit `a` is set if component `a` of the direction is negative; for
+    /// [`SignOrder`](crate::order::SignOrder).
     #[inline]
     pub fn octant(&self) -> u8 {
         self.direction.widen().cmplt(DVec3::ZERO).bitmask() as u8

@@ -5,26 +5,27 @@ use glam::{DVec3, Vec3};
 use super::nearest::unit_normal;
 use super::{Aabb, Frame, Vector, truth};
 
-/// A triangle by its corners, in single precision, or with [`DVec3`] in double.
+/// A triangle by its corners, in single precision, or with [`DVec3`] in double precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Triangle<V = Vec3>(pub [V; 3]);
 
 impl<V: Vector> Triangle<V> {
-    /// Corners in double precision; exact.
+    /// Converts the corners to double precision, exactly.
     #[inline]
     pub fn widen(&self) -> [DVec3; 3] {
         self.0.map(Vector::widen)
     }
 
-    /// The smallest box in single precision that holds the corners; infinite beyond the range of single precision.
+    /// Returns the smallest box in single precision that contains the corners; infinite beyond the range of single
+    /// precision.
     #[inline]
     pub fn aabb(&self) -> Aabb {
         Frame::IDENTITY.aabb(self)
     }
 
-    /// The normal of length 1, each component the float nearest to the exact one; a zero is positive. The corners run
-    /// counterclockwise seen from where it points. `None` without an area, or if a coordinate is not finite.
+    /// Returns the unit normal, each component the float nearest to the exact value; a zero is positive. Seen from its
+    /// tip, the corners run counterclockwise. Returns `None` without an area, or if a coordinate is not finite.
     ///
     /// ```
     /// use glam::Vec3;
@@ -38,7 +39,7 @@ impl<V: Vector> Triangle<V> {
         by_digits.or_else(|| truth::unit_normal(self.0.map(V::components)).map(V::from_components))
     }
 
-    /// Whether the corners lie on a line, exactly: then no ray meets the triangle.
+    /// Returns whether the corners lie on a line, exactly: then no ray meets the triangle.
     pub fn is_degenerate(&self) -> bool {
         V::are_collinear(&self.0)
     }

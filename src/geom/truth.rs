@@ -1,14 +1,14 @@
-//! The truth about lines, triangles and boxes, in rational arithmetic: slow, and without rounding.
+//! The ground truth about lines, triangles and boxes, in rational arithmetic: slow, and without rounding.
 //!
-//! Finite floats are rational numbers; they are taken as they are. [`meet`] says where a line meets a triangle,
-//! [`touches`] and [`entry`] whether and where a ray's interval meets a box, and [`round_f32`] and [`round_f64`] which
-//! float the true value becomes. The kernels and slab tests of this crate are judged by these.
+//! Finite floats are rational numbers, and are used exactly. [`meet`] intersects a line and a triangle, [`touches`] and
+//! [`entry`] a ray's interval and a box, and [`round_f32`] and [`round_f64`] round the true value to a float. Tests
+//! compare the kernels and slab tests of this crate with these functions.
 //!
 //! # Integers
 //!
-//! All floats of one question are multiplied by one power of two that makes them integers, positions and direction
-//! alike. The signs and the quotients that answer the question do not change: the polynomials of the triangle test
-//! are all of degree three, and the distances to the planes of a box are quotients of two lengths.
+//! All floats of one query are multiplied by one power of two that makes them integers, positions and direction alike.
+//! This does not change the signs and the quotients of the answer: the polynomials of the triangle test are all of
+//! degree three, and the distances to the planes of a box are quotients of two lengths.
 
 mod nearest;
 
@@ -17,14 +17,14 @@ pub use nearest::{nearest_point, nearest_weights, round_root, square_distance, u
 
 use dashu_int::{IBig, Sign};
 
-/// A float that is taken exactly: `f32` or `f64`.
+/// A float with its exact value: `f32` or `f64`.
 pub trait Number: Copy + Into<f64> + sealed::Sealed {
-    /// The number of this kind that is nearest to `x`: [`round_f32`] or [`round_f64`].
+    /// Returns the number of this type nearest to `x`: [`round_f32`] or [`round_f64`].
     fn nearest(x: &RBig) -> Self {
         Self::nearest_to(x.as_relaxed())
     }
 
-    /// The same for a fraction that may not be in lowest terms.
+    /// Returns the number nearest to a fraction that may not be in lowest terms.
     fn nearest_to(x: &Relaxed) -> Self;
 }
 
@@ -46,20 +46,20 @@ mod sealed {
     impl Sealed for f64 {}
 }
 
-/// How a line and a triangle meet.
+/// Intersection of a line and a triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Meeting {
-    /// The line crosses the plane of the triangle outside of it.
+    /// The line crosses the plane of the triangle outside the triangle.
     Miss,
     /// The line is parallel to the plane, or in it, or the triangle has no area, or the direction is zero: the
-    /// determinant is 0. Counted as a miss.
+    /// determinant is 0. It counts as a miss.
     Coplanar,
-    /// The line crosses the triangle, its edges and corners included.
+    /// The line crosses the triangle, including its edges and corners.
     Hit(Point),
 }
 
 impl Meeting {
-    /// Where the triangle is hit, if that is within an interval `[tmin, tmax]`, as [`holds`] has it.
+    /// Returns the point, if it is within an interval `[tmin, tmax]`, by [`holds`].
     pub fn within<S: Number>(self, interval: [S; 2]) -> Option<Point> {
         match self {
             Self::Hit(point) if holds(interval, &point.t) => Some(point),
@@ -68,12 +68,12 @@ impl Meeting {
     }
 }
 
-/// Where a line crosses a triangle.
+/// The point at which a line crosses a triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Point {
-    /// On which part of the triangle.
+    /// The part of the triangle.
     pub place: Place,
-    /// Distance from the origin in lengths of the direction, of either sign.
+    /// Distance from the origin in units of the length of the direction, of either sign.
     pub t: RBig,
     /// Weight of the second corner, 0 to 1.
     pub u: RBig,
@@ -92,10 +92,10 @@ pub enum Place {
     Vertex,
 }
 
-/// Where the line `origin + t direction` meets a triangle, given by its corners; `t` may have either sign.
+/// Intersects the line `origin + t direction` and a triangle, given by its corners; `t` may have either sign.
 ///
 /// The polynomials are those of Möller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection", section 2,
-/// with no culling. With a number that is not finite there is no triangle or no line, so the answer is a miss.
+/// without culling. If a number is not finite, the answer is a miss.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{Meeting, Place, Point, RBig, meet};
@@ -112,7 +112,7 @@ pub fn meet<S: Number>(triangle: [[S; 3]; 3], origin: [S; 3], direction: [S; 3])
     integers([v0, v1, v2, origin, direction]).map_or(Meeting::Miss, meet_integers)
 }
 
-/// [`meet`] for corners, origin and direction that are all multiplied by one positive number.
+/// Computes [`meet`] for corners, origin and direction that are all multiplied by one positive number.
 pub(super) fn meet_integers([v0, v1, v2, o, d]: [Vector; 5]) -> Meeting {
     let (e1, e2, s) = (minus(&v1, &v0), minus(&v2, &v0), minus(&o, &v0));
     let (p, q) = (cross(&d, &e2), cross(&s, &e1));
@@ -135,8 +135,9 @@ pub(super) fn meet_integers([v0, v1, v2, o, d]: [Vector; 5]) -> Meeting {
     Meeting::Hit(Point { place, t: over_det(t), u: over_det(u), v: over_det(v) })
 }
 
-/// Where the line `origin + t direction` from a rational point meets a triangle: the distance, in lengths of the
-/// direction. It goes by the normal of the plane and by areas, so it shares no formula with [`meet`]. `[SECOND-2]`
+/// Intersects the line `origin + t direction` from a rational point and a triangle. Returns the distance, in units of
+/// the length of the direction. It uses the normal of the plane and areas, so it shares no formula with [`meet`].
+/// `[SECOND-2]`
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{RBig, distance_from};
@@ -171,7 +172,8 @@ pub fn distance_from<S: Number>(triangle: [[S; 3]; 3], origin: &[RBig; 3], direc
     (is_inside(&a, &b) && is_inside(&b, &c) && is_inside(&c, &a)).then_some(t)
 }
 
-/// Whether a closed interval holds `t`. An infinite end is no bound; with a NaN nothing is held.
+/// Returns whether a closed interval contains `t`. An infinite end is no bound; an interval with a NaN contains
+/// nothing.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{RBig, holds};
@@ -185,7 +187,7 @@ pub fn holds<S: Number>(interval: [S; 2], t: &RBig) -> bool {
     holds_fraction(interval, t.as_relaxed())
 }
 
-/// [`holds`] for a fraction that may not be in lowest terms.
+/// Computes [`holds`] for a fraction that may not be in lowest terms.
 pub(super) fn holds_fraction<S: Number>([tmin, tmax]: [S; 2], t: &Relaxed) -> bool {
     let (tmin, tmax): (f64, f64) = (tmin.into(), tmax.into());
     let is_above = Relaxed::try_from(tmin).map_or(tmin == f64::NEG_INFINITY, |tmin| tmin <= *t);
@@ -193,12 +195,12 @@ pub(super) fn holds_fraction<S: Number>([tmin, tmax]: [S; 2], t: &Relaxed) -> bo
     is_above && is_below
 }
 
-/// Whether the part of the line `origin + t direction` with `tmin <= t <= tmax` meets the box from `lo` to `hi`, the
-/// ends of the interval and the faces of the box included.
+/// Returns whether the part of the line `origin + t direction` with `tmin <= t <= tmax` meets the box from `lo` to
+/// `hi`, including the ends of the interval and the faces of the box.
 ///
 /// `interval` is `[tmin, tmax]`; `tmax` may be infinite. A component of the direction that is 0, of either sign, keeps
-/// the line in a plane. A box with `lo > hi` on some axis has no points, and an interval with `tmin > tmax` neither.
-/// With another number that is not finite, nothing is touched.
+/// the line in a plane. A box with `lo > hi` on some axis is empty, and so is an interval with `tmin > tmax`. If
+/// another number is not finite, the line touches nothing.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::touches;
@@ -212,8 +214,8 @@ pub fn touches<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], l
     first_touch(origin, direction, interval, lo, hi).is_some()
 }
 
-/// The least `t` at which [`touches`] has a point in common: the greatest of `tmin` and the distances to the planes
-/// where the line enters. `None` if nothing is touched.
+/// Returns the least `t` at which [`touches`] has a common point: the greatest of `tmin` and the distances to the
+/// planes at which the line enters. `None` if the line does not touch the box.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{RBig, entry};
@@ -226,10 +228,10 @@ pub fn entry<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], lo:
     first_touch(origin, direction, interval, lo, hi).map(Relaxed::canonicalize)
 }
 
-/// The `f32` nearest to `x`; of two equally near the one whose last bit is 0.
+/// Returns the `f32` nearest to `x`, ties to even.
 ///
-/// Subnormal numbers are rounded as IEEE 754 has it, and so is what lies beyond the greatest float: from the middle
-/// between it and 2^128 on, the result is infinite. A result of 0 has the sign of `x`.
+/// Subnormal numbers and numbers beyond the greatest float are rounded as in IEEE 754: from the midpoint of the
+/// greatest float and 2^128 on, the result is infinite. A result of 0 has the sign of `x`.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{RBig, round_f32};
@@ -240,7 +242,8 @@ pub fn round_f32(x: &RBig) -> f32 {
     Number::nearest(x)
 }
 
-/// The `f64` nearest to `x`, as [`round_f32`] has it; infinite from the middle between the greatest float and 2^1024.
+/// Returns the `f64` nearest to `x`, as [`round_f32`] does; infinite from the midpoint of the greatest float and 2^1024
+/// on.
 ///
 /// ```
 /// use stackless_bvh::geom::truth::{RBig, round_f64};
@@ -251,7 +254,7 @@ pub fn round_f64(x: &RBig) -> f64 {
     Number::nearest(x)
 }
 
-/// [`entry`], as a fraction that may not be in lowest terms: those cost most of the time.
+/// Computes [`entry`] as a fraction that may not be in lowest terms: reduction costs most of the time.
 pub(super) fn first_touch<S: Number>(
     origin: [S; 3],
     direction: [S; 3],
@@ -283,8 +286,8 @@ pub(super) fn first_touch<S: Number>(
     leave.is_none_or(|leave| enter <= leave).then_some(enter)
 }
 
-/// The least `t`, not negative, at which a line of rational numbers has a point in common with the box between `lo` and
-/// `hi`, which are finite.
+/// Returns the least `t`, not negative, at which a line of rational numbers has a common point with the box between
+/// `lo` and `hi`, which are finite.
 pub(super) fn touch(o: &[Relaxed; 3], d: &[Relaxed; 3], [lo, hi]: [[f64; 3]; 2]) -> Option<Relaxed> {
     let (mut enter, mut leave) = (Relaxed::ZERO, None);
     for k in 0..3 {
@@ -304,7 +307,7 @@ pub(super) fn touch(o: &[Relaxed; 3], d: &[Relaxed; 3], [lo, hi]: [[f64; 3]; 2])
 
 type Vector = [IBig; 3];
 
-/// The vectors times [`scale`]. `None` if one is not finite.
+/// Returns the vectors times [`scale`]. `None` if one is not finite.
 fn integers<S: Number, const N: usize>(vectors: [[S; 3]; N]) -> Option<[Vector; N]> {
     let exact = vectors.as_flattened().iter().map(|&x| RBig::try_from(x.into()).ok());
     let exact: Vec<RBig> = exact.collect::<Option<_>>()?;
@@ -313,7 +316,7 @@ fn integers<S: Number, const N: usize>(vectors: [[S; 3]; N]) -> Option<[Vector; 
     Some(std::array::from_fn(|i| std::array::from_fn(|k| integer(&exact[3 * i + k]))))
 }
 
-/// The least power of two, not below 1, that makes all components integers. `None` if one is not finite.
+/// Returns the least power of two, at least 1, that makes all components integers. `None` if one is not finite.
 fn scale<S: Number, const N: usize>(vectors: [[S; 3]; N]) -> Option<IBig> {
     let logs = vectors.as_flattened().iter().map(|&x| RBig::try_from(x.into()).ok().map(|x| log2_of_denominator(&x)));
     let logs: Option<Vec<usize>> = logs.collect();

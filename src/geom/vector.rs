@@ -1,4 +1,4 @@
-//! The two kinds of numbers that rays and triangles may have.
+//! The two kinds of numbers of rays and triangles.
 
 use std::fmt::Debug;
 use std::ops::Sub;
@@ -15,26 +15,26 @@ pub trait Vector:
     /// A coordinate.
     type Real: Real;
 
-    /// Whether no component is NaN or infinite.
+    /// Returns whether no component is NaN or infinite.
     fn is_finite(self) -> bool;
 
-    /// The same in double precision; exact.
+    /// Converts the vector to double precision, exactly.
     fn widen(self) -> DVec3;
 
-    /// The components.
+    /// Returns the components.
     fn components(self) -> [Self::Real; 3];
 
-    /// The vector of these components.
+    /// Creates the vector of these components.
     fn from_components(components: [Self::Real; 3]) -> Self;
 
-    /// The smallest box in single precision, in a frame, that holds these points; infinite beyond the range of single
-    /// precision. Points in single precision have no frame.
+    /// Returns the smallest box in single precision, in a frame, that contains these points; infinite beyond the range
+    /// of single precision. Points in single precision have no frame.
     fn aabb(points: &[Self; 3], frame: &Frame) -> Aabb;
 
-    /// The [`Frame`] for these points.
+    /// Returns the [`Frame`] for these points.
     fn frame(points: impl IntoIterator<Item = Self, IntoIter: Clone>) -> Frame;
 
-    /// Whether three points lie on a line, exactly.
+    /// Returns whether three points lie on a line, exactly.
     fn are_collinear(points: &[Self; 3]) -> bool;
 }
 
@@ -46,29 +46,29 @@ pub trait Real: Number + PartialEq + PartialOrd + Debug + Default + Send + Sync 
     /// 1.
     const ONE: Self;
 
-    /// Beyond every number.
+    /// Greater than every number.
     const INFINITY: Self;
 
-    /// The greatest float below this one.
+    /// Returns the greatest float below this one.
     #[must_use]
     fn next_down(self) -> Self;
 
-    /// The least float above this one.
+    /// Returns the least float above this one.
     #[must_use]
     fn next_up(self) -> Self;
 
-    /// The float nearest to a double, of two the even one.
+    /// Rounds a double to the nearest float, ties to even.
     fn rounded(x: f64) -> Self;
 
-    /// The float that all numbers between two round to, if it is one; a zero is positive. The two are sums of a double
-    /// and of what rounding left out of it.
+    /// Returns the float to which all numbers between the two round, if there is one; a zero is positive. The two are
+    /// sums of a double and its rounding error.
     fn between(ends: [[f64; 2]; 2]) -> Option<Self>;
 
-    /// A number that orders as these do, and equal only where these are equal or nearly so: for a distance, which is
-    /// not negative. Rounded down, or up.
+    /// Returns numbers in the order of distances (which are not negative), rounded down and up. They are equal only if
+    /// the distances are equal or nearly equal.
     fn ranks(self) -> [u32; 2];
 
-    /// The greatest float of single precision that is not above, and the least that is not below: of a distance.
+    /// Rounds a distance down and up to single precision.
     #[inline]
     fn ends_in_single(self) -> [f32; 2] {
         self.ranks().map(f32::from_bits)
@@ -174,7 +174,7 @@ impl Real for f32 {
         (lo == hi).then_some(lo)
     }
 
-    /// The bits, with one zero.
+    /// Returns the bits, with one zero.
     #[inline]
     fn ranks(self) -> [u32; 2] {
         [(self + 0.0).to_bits(); 2]
@@ -214,7 +214,7 @@ impl Real for f64 {
 }
 
 mod private {
-    /// Numbers are single or double, nothing else: each has its own analysis.
+    /// Numbers are single or double only: each precision has a separate analysis.
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}

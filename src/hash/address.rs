@@ -2,28 +2,28 @@
 
 use crate::tree::Node;
 
-/// Number of addresses of a kind that the tables can hold: indices below 2^30.
+/// Number of addresses of a kind that the tables support: indices below 2^30.
 pub(super) const LIMIT: usize = 1 << 30;
 
 const SIGN: u32 = 1 << 31;
 
-/// The word that stands for a node: `0x80000000 + a` for the inner node `a`, `!i` (from `0xC0000000` up) for the leaf
-/// `i`, both with the sign bit set, so that no displacement and no empty cell looks like one. `[HASH-5]`
+/// Returns the word for a node: `0x80000000 + a` for the inner node `a`, `!i` (from `0xC0000000` up) for the leaf `i`.
+/// The sign bit of either word is set, so they differ from displacements and empty cells. `[HASH-5]`
 ///
-/// Binder & Keller (2016, Section 2.2.2) mark direct addresses so in the table of displacements; here the cells hold
-/// the same words. The index must be below 2^30.
+/// Binder & Keller (2016, Section 2.2.2) use these marks for direct addresses in the table of displacements; here the
+/// cells hold the same words. The index must be below 2^30.
 pub const fn encode(node: Node) -> u32 {
     let index = node.index() as u32;
     if node.is_leaf() { !index } else { SIGN | index }
 }
 
-/// Whether a word stands for a node.
+/// Returns whether a word encodes a node.
 #[inline(always)]
 pub const fn is_address(word: u32) -> bool {
     word & SIGN != 0
 }
 
-/// The node of a word: bit 30 is extended over the sign, as hardware does, and a negative number is a leaf.
+/// Returns the node of a word: bit 30 is extended over the sign, as hardware does, and a negative number is a leaf.
 #[inline(always)]
 pub const fn decode(word: u32) -> Node {
     let signed = (word << 1).cast_signed() >> 1;

@@ -1,4 +1,4 @@
-//! Construction of the perfect hash: linear in the number of keys, the same table by one thread and by many.
+//! Construction of the perfect hash, linear in the number of keys; one thread and many threads build the same table.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -11,30 +11,30 @@ use super::place::{Bucket, Buckets, Clash};
 use super::{Header, KeySet, Mix, PerfectHash, Sizing, TableSize, mix};
 use crate::tree::{Node, Topology};
 
-/// What to hash, and how large the tables are.
+/// The hashed keys, and the sizes of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Which nodes are hashed.
+    /// The hashed nodes.
     pub key_set: KeySet,
-    /// How D and H are chosen.
+    /// The sizing of D and H.
     pub sizing: Sizing,
 }
 
-/// Why there is no table.
+/// Errors of the construction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuildError {
-    /// A node's index takes more than 30 bits: the tree has more nodes of a kind than a table can address.
+    /// A node's index needs more than 30 bits: the tree has more nodes of a kind than a table can address.
     TooManyNodes {
         /// The node.
         node: Node,
     },
     /// H would be more than 2^31.
     TooManyKeys {
-        /// Number of nodes or keys that the size follows from.
+        /// Number of nodes or keys that determines the size.
         keys: usize,
     },
-    /// The printed function has no displacement for a bucket: two of its keys are equal modulo H, or the cells that are
-    /// free fit none. [`PerfectHash::build`] has a remedy.
+    /// The printed function has no displacement for a bucket: two of its keys are equal modulo H, or no displacement
+    /// fits the free cells. [`PerfectHash::build`] has a remedy.
     NoDisplacement {
         /// The bucket: its keys modulo D.
         bucket: u32,
@@ -44,10 +44,10 @@ pub enum BuildError {
         displacements: u32,
         /// H.
         cells: TableSize,
-        /// Whether two keys are equal modulo D and H, so that no displacement could do.
+        /// Whether two keys are equal modulo D and H: then no displacement can separate them.
         inseparable: bool,
     },
-    /// So many seeds were tried, none did. A tree for which this happens by chance is not to be expected.
+    /// None of the tried seeds works. This is not expected to happen by chance for any tree.
     NoSeed {
         /// Number of seeds.
         seeds: u32,
@@ -72,15 +72,15 @@ impl fmt::Display for BuildError {
 
 impl core::error::Error for BuildError {}
 
-/// Most seeds that are tried. With printed sizes about a third of all seeds do; that none of 100 does has a probability
-/// below 10^-15.
+/// Greatest number of seeds. With printed sizes about a third of all seeds work; the probability that none of 100 works
+/// is below 10^-15.
 const SEEDS: u32 = 100;
 
 impl PerfectHash {
-    /// Builds the table of a tree, with the seeded bijection where the printed function does not work. `[HASH-7]`
+    /// Builds the table of a tree, with the seeded bijection if the printed function fails. `[HASH-7]`
     ///
     /// # Errors
-    /// [`BuildError`], but for [`NoDisplacement`](BuildError::NoDisplacement).
+    /// [`BuildError`], except [`NoDisplacement`](BuildError::NoDisplacement).
     pub fn build(tree: &impl Topology, options: Options) -> Result<Self, BuildError> {
         with_fold_seeds(
             Size::of(tree),
@@ -90,7 +90,7 @@ impl PerfectHash {
         )
     }
 
-    /// Builds the table with the printed function or not at all. `[HASH-1]`
+    /// Builds the table with the printed function only. `[HASH-1]`
     ///
     /// # Errors
     /// [`BuildError`].
@@ -103,8 +103,8 @@ impl PerfectHash {
         )
     }
 
-    /// The table of keys that are given, all different, each with its address; the header calls them
-    /// [`All`](KeySet::All). `[HASH-7]`
+    /// Builds the table of given distinct keys, each with its address; the header calls them [`All`](KeySet::All).
+    /// `[HASH-7]`
     ///
     /// # Errors
     /// As [`build`](Self::build).
@@ -116,7 +116,7 @@ impl PerfectHash {
         with_fold_seeds(size, options, |_| keys.clone(), |request| remedied(request, false))
     }
 
-    /// The same table as [`build`](Self::build), by all threads; without the feature `parallel` by one.
+    /// Builds the table of [`build`](Self::build) on all threads; without the feature `parallel` on one.
     ///
     /// # Errors
     /// As [`build`](Self::build).
@@ -132,7 +132,7 @@ impl PerfectHash {
     }
 }
 
-/// What the sizes of tables and words follow from.
+/// The inputs that determine the sizes of tables and words.
 #[derive(Clone, Copy)]
 struct Size {
     /// Number of nodes.
@@ -147,7 +147,7 @@ impl Size {
     }
 }
 
-/// The keys to hash, and what is known before the first attempt.
+/// The keys to hash, and the inputs of the first attempt.
 struct Request<'k> {
     keys: &'k [HashedKey],
     options: Options,
@@ -156,7 +156,7 @@ struct Request<'k> {
     fold_seed: u64,
 }
 
-/// Why an attempt failed, where another seed may help.
+/// The failure of an attempt, if another seed may succeed.
 enum Failure {
     /// Two keys fold to the same value.
     Fold,
@@ -172,7 +172,7 @@ const fn seed(i: u32) -> u64 {
     mix((i as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
 
-/// Attempts the construction, with another fold each time that two folded keys meet. Among n keys two meet with a
+/// Attempts the construction, with another fold whenever two folded keys are equal. Among n keys, two are equal with a
 /// probability of n^2 / 2^65.
 fn with_fold_seeds(
     Size { nodes, narrow }: Size,
@@ -237,7 +237,7 @@ impl Request<'_> {
         Ok(PerfectHash::from_parts(header, tables.displacements.into(), tables.cells.into(), members))
     }
 
-    /// Groups the keys, and chooses D and H. `[HASH-2]`
+    /// Groups the keys, and selects D and H. `[HASH-2]`
     fn buckets(&self, keys: &[HashedKey]) -> Result<(Buckets, TableSize), Failure> {
         let count = match self.options.sizing {
             Sizing::Printed => self.nodes,
@@ -251,19 +251,20 @@ impl Request<'_> {
     }
 }
 
-/// The highest power of two below half of `count`, at least 1.
+/// Returns the highest power of two below half of `count`, at least 1.
 const fn highest_power_below_half(count: usize) -> usize {
     if count < 3 { 1 } else { 1 << ((count - 1).ilog2() - 1) }
 }
 
-/// The smallest number above `2 count` that is coprime to every power of two.
+/// Returns the smallest number above `2 count` that is coprime to every power of two.
 fn odd_above_twice(count: usize) -> Result<TableSize, Failure> {
     let cells = u32::try_from(2 * count as u64 + 1).ok().and_then(TableSize::new);
     cells.ok_or(Failure::Final(BuildError::TooManyKeys { keys: count }))
 }
 
-/// Sizes for direct addresses. H grows by an eighth a few times where two keys are equal modulo it: with as few cells
-/// as direct addresses leave, that happens by chance, and a bijection would cost many direct addresses.
+/// Returns sizes for direct addresses. H grows by an eighth, a limited number of times, if two keys are equal modulo
+/// it. With the few cells that remain after direct addresses, this happens by chance, and a bijection would cost many
+/// direct addresses.
 fn tight(keys: &[HashedKey]) -> Result<(Buckets, TableSize), Failure> {
     const SIZES: usize = 16;
     let buckets = Buckets::of(keys, nearest_power(2 * keys.len()));
@@ -277,7 +278,8 @@ fn tight(keys: &[HashedKey]) -> Result<(Buckets, TableSize), Failure> {
     separate(&buckets, cells).map(|()| (buckets, cells))
 }
 
-/// The power of two for which the quotient of the two numbers is nearest to 1: up from sqrt(2) times a power.
+/// Returns the power of two for which the quotient of the two numbers is nearest to 1: rounded up from sqrt(2) times a
+/// power.
 const fn nearest_power(count: usize) -> usize {
     let power = count.next_power_of_two();
     if power > 1 && (count as u128).pow(2) < (power as u128).pow(2) / 2 { power / 2 } else { power }

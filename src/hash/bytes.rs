@@ -1,4 +1,4 @@
-//! Tables as bytes.
+//! Encoding of tables as bytes.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -13,7 +13,7 @@ const VERSION: u32 = 1;
 /// Magic, 12 words of 32 bits, 2 of 64.
 const HEADER_BYTES: usize = 8 + 12 * 4 + 2 * 8;
 
-/// Which indices the nodes of a tree have: those below these.
+/// Bounds of the node indices of a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AddressBounds {
     /// One more than the highest index of an inner node; 0 if there is none.
@@ -23,7 +23,7 @@ pub struct AddressBounds {
 }
 
 impl AddressBounds {
-    /// Those of a tree.
+    /// Returns the bounds of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         let mut bounds = Self::default();
         let mut pending = alloc::vec![tree.root()];
@@ -37,37 +37,37 @@ impl AddressBounds {
         bounds
     }
 
-    /// Whether a node has one of these indices.
+    /// Returns whether a node's index is within the bounds.
     pub const fn contains(self, node: Node) -> bool {
         node.index() < if node.is_leaf() { self.leaf } else { self.inner }
     }
 }
 
-/// Why bytes are not a table.
+/// Errors of [`PerfectHash::from_bytes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableError {
-    /// They are fewer than the header or its sizes say, or more.
+    /// The length does not match the header or its sizes.
     Length {
-        /// Number of bytes that there should be.
+        /// Expected number of bytes.
         expected: u64,
-        /// Number of bytes.
+        /// Actual number of bytes.
         found: usize,
     },
-    /// They do not begin as a table does.
+    /// The magic number is invalid.
     Magic,
-    /// They are of another version of the format.
+    /// The version of the format is not supported.
     Version {
         /// Its number.
         version: u32,
     },
-    /// A field of the header holds a number that means nothing.
+    /// A field of the header has an invalid value.
     Field {
         /// Its name.
         name: &'static str,
         /// The number.
         value: u32,
     },
-    /// D is no power of two.
+    /// D is not a power of two.
     Displacements {
         /// D.
         displacements: u32,
@@ -79,27 +79,27 @@ pub enum TableError {
     },
     /// A displacement is H or more.
     Displacement {
-        /// Where.
+        /// Its index.
         index: usize,
         /// The displacement.
         displacement: u32,
     },
-    /// A word is no address of the tree, where one must be.
+    /// A word is not an address of the tree where an address is required.
     Address {
-        /// Whether it stands in the hash table, and not in the one of displacements.
+        /// Whether it is in the hash table, and not in the table of displacements.
         in_cells: bool,
-        /// Where.
+        /// Its index.
         index: usize,
         /// The word.
         word: u32,
     },
-    /// The tables hold another number of addresses than the header says.
+    /// The number of addresses in the tables differs from the header.
     Count {
         /// `"keys"` or `"direct"`.
         name: &'static str,
-        /// What the header says.
+        /// The number in the header.
         stated: u32,
-        /// How many there are.
+        /// The actual number.
         found: usize,
     },
 }
@@ -128,7 +128,7 @@ impl fmt::Display for TableError {
 impl core::error::Error for TableError {}
 
 impl PerfectHash {
-    /// The table as bytes: a header of 72, then both tables, all words little-endian.
+    /// Encodes the table: a header of 72 bytes, then both tables, all words little-endian.
     pub fn to_bytes(&self) -> Vec<u8> {
         let header = &self.header;
         let (set, inner, leaf) = match header.key_set {
@@ -149,10 +149,10 @@ impl PerfectHash {
         bytes
     }
 
-    /// The table that these bytes are, for a tree with these addresses.
+    /// Decodes a table for a tree with these addresses.
     ///
-    /// Every lookup then answers with an address of the tree. That it is the right one is what
-    /// [`certify`](super::certify()) finds out. Nothing is allocated before the length is known to be right.
+    /// Every lookup then returns an address of the tree. [`certify`](super::certify()) checks that it is the right one.
+    /// The decoder allocates nothing before it has checked the length.
     ///
     /// # Errors
     /// [`TableError`].

@@ -1,4 +1,4 @@
-//! The certificate of a perfect hash: that it is right for a tree, in time linear in both.
+//! The certificate of a perfect hash: that it is correct for a tree, in time linear in the sizes of table and tree.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -7,35 +7,35 @@ use core::fmt;
 use super::{KeySet, PerfectHash, Sizing, for_each_folded_key};
 use crate::tree::{Node, Reach, Topology, for_each_parent};
 
-/// Why a table is not one for a tree and a set of keys.
+/// Errors of [`certify`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CertificateError {
-    /// It was made for another set.
+    /// The table is for another key set.
     KeySet {
-        /// The set that it states.
+        /// The key set in the header.
         stated: KeySet,
     },
-    /// A number in the header is not what it should be.
+    /// A number in the header is wrong.
     Header {
         /// Its name.
         field: &'static str,
-        /// What it should be.
+        /// The expected number.
         expected: u64,
-        /// What the header says.
+        /// The number in the header.
         stated: u64,
     },
-    /// D is no power of two, or H is even.
+    /// D is not a power of two, or H is even.
     NotCoprime {
         /// D.
         displacements: u32,
         /// H.
         cells: u32,
     },
-    /// A word is neither an address nor a displacement below H, or a cell holds something that is no address.
+    /// A word is neither an address nor a displacement below H, or a cell holds a word that is not an address.
     Word {
-        /// Whether it stands in the hash table, and not in the one of displacements.
+        /// Whether it is in the hash table, and not in the table of displacements.
         in_cells: bool,
-        /// Where.
+        /// Its index.
         index: usize,
         /// The word.
         word: u32,
@@ -44,7 +44,7 @@ pub enum CertificateError {
     Unresolved {
         /// The node.
         node: Node,
-        /// The word that its key leads to.
+        /// The word of its key.
         word: u32,
     },
 }
@@ -69,14 +69,14 @@ impl fmt::Display for CertificateError {
 impl core::error::Error for CertificateError {}
 
 /// Checks that every hashed key leads to its node, that D and H are coprime and of the stated sizing, that every word
-/// is in its range, and that the counts in the header are right. `[HASH-9]`
+/// is in its range, and that the counts in the header are correct. `[HASH-9]`
 ///
-/// It shares no code with the construction and the lookup but the bijection and the fold of long keys, which are part
-/// of the function's definition: it finds the hashed nodes by the definition of the set, enumerates their keys in
+/// It shares no code with the construction and the lookup, except the bijection and the fold of long keys, which are
+/// part of the function's definition. It finds the hashed nodes by the definition of the set, enumerates their keys in
 /// another order, and divides where the lookup multiplies. Linear time, no recursion.
 ///
 /// # Errors
-/// [`CertificateError`], for the first fault found.
+/// [`CertificateError`], for the first error found.
 pub fn certify(hash: &PerfectHash, tree: &impl Topology, key_set: KeySet) -> Result<(), CertificateError> {
     let header = hash.header();
     if header.key_set != key_set {
@@ -143,7 +143,7 @@ fn certify_words(hash: &PerfectHash) -> Result<(), CertificateError> {
     }
 }
 
-/// The word that a folded key leads to, by the text of the function.
+/// Returns the word of a folded key, by the definition of the function.
 fn resolve(hash: &PerfectHash, key: u64) -> u32 {
     let header = hash.header();
     let (d, h) = (u64::from(header.displacements), u64::from(header.cells.get()));
@@ -152,13 +152,13 @@ fn resolve(hash: &PerfectHash, key: u64) -> u32 {
     if word >= 1 << 31 { word } else { hash.cells()[((key % h + u64::from(word)) % h) as usize] }
 }
 
-/// The word of a node, by the text of the encoding.
+/// Returns the word of a node, by the definition of the encoding.
 fn address(node: Node) -> u32 {
     let index = node.index() as u32;
     if node.is_leaf() { u32::MAX - index } else { 0x8000_0000 + index }
 }
 
-/// By slot: whether the node is hashed, by the definitions of the sets.
+/// Returns for each slot whether the node is hashed, by the definitions of the sets.
 fn hashed_slots(tree: &impl Topology, key_set: KeySet) -> Vec<bool> {
     let mut hashed = vec![key_set == KeySet::All; tree.node_count()];
     if let KeySet::Exact(reach) = key_set {

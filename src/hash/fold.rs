@@ -1,4 +1,4 @@
-//! Keys of any length as 64 bits.
+//! Folds of keys of any length to 64 bits.
 
 use alloc::vec;
 
@@ -6,8 +6,8 @@ use super::mix;
 use crate::key::{KeyWord, PIECE};
 use crate::tree::{Node, Topology};
 
-/// A key as 64 bits: itself if it has no more, else a seeded fold of its 63-bit pieces from the root down, and of
-/// its length.
+/// Returns a key as 64 bits. A longer key becomes a seeded fold of its 63-bit pieces from the root down, and of its
+/// length.
 #[inline]
 pub fn fold<W: KeyWord>(key: &W, seed: u64) -> u64 {
     key.to_u64().unwrap_or_else(|| {
@@ -28,16 +28,16 @@ pub fn for_each_folded_key(tree: &impl Topology, seed: u64, mut f: impl FnMut(u6
     }
 }
 
-/// What a walk carries down to know the key of each node.
+/// The state that a walk carries down to compute the key of each node.
 pub(super) trait Step: Copy {
-    /// For the left child (0) or the right one (1).
+    /// Returns the state of the left child (0) or the right one (1).
     #[must_use]
     fn child(self, right: u64) -> Self;
-    /// The folded key of the node.
+    /// Returns the folded key of the node.
     fn key(self) -> u64;
 }
 
-/// For walks that want no keys.
+/// For walks without keys.
 impl Step for () {
     fn child(self, _: u64) -> Self {}
 
@@ -59,7 +59,7 @@ impl Step for u64 {
     }
 }
 
-/// What folds the key of a node, at any depth.
+/// The state of the fold of a node's key, at any depth.
 #[derive(Clone, Copy)]
 pub(super) struct Path {
     /// The lowest 64 bits of the key.

@@ -1,4 +1,4 @@
-//! Which keys are ever looked up.
+//! The keys that are ever looked up.
 
 use alloc::collections::{BTreeMap, VecDeque};
 use alloc::vec;
@@ -11,41 +11,43 @@ use crate::tree::{Node, Reach, Topology};
 /// A set of nodes whose keys are hashed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KeySet {
-    /// All nodes: what a traversal without uncles needs.
+    /// All nodes: the set for a traversal without uncles.
     All,
     /// The nodes with "at least a grand nephew, which is an internal node, or at least a grand grand nephew that is a
     /// leaf node" (Binder & Keller 2016, Section 2.2.2). The second half follows from the first.
     Paper,
-    /// The nodes that some search with register and uncles of this reach looks up, and no others. `[HASH-3]`
+    /// The nodes that some search with register and uncles of this reach looks up, and no other nodes. `[HASH-3]`
     ///
-    /// **Rule.** Hash x iff the subtree of its sibling s holds an inner node more than Ui levels below s, or a leaf
-    /// more than Ul levels below s, where records of inner nodes name Ui ancestors' siblings and those of leaves Ul.
+    /// **Rule.** Hash x iff the subtree of its sibling s contains an inner node more than Ui levels below s, or a leaf
+    /// more than Ul levels below s, where records of inner nodes have the siblings of Ui ancestors, and those of leaves
+    /// Ul.
     ///
-    /// **Sufficient.** Let a search go to x from the visited node y without knowing its address. Then x is the lowest
-    /// postponed node and y, some number δ of levels below s, does not name it. δ is not 0: there the register still
-    /// holds x from the descent into s. So y is a node below s that does not name x: more than Ui below s if it is an
-    /// inner node, more than Ul if it is a leaf.
+    /// **Sufficient.** Let a search go to x from the visited node y without its address. Then x is the lowest postponed
+    /// node and y, some number δ of levels below s, does not have it in its record. δ is not 0: at s the register still
+    /// holds x from the descent into s. So y is a node below s without x in its record: more than Ui below s if it is
+    /// an inner node, more than Ul if it is a leaf.
     ///
-    /// **Necessary.** Let z be such a node. A search that postpones x, enters single children down to the parent of z,
-    /// there postpones z, finds nothing in the sibling of z, returns to z (which empties the register) and finds
-    /// nothing there either has x as its next node, and neither the register nor the record of z has its address.
+    /// **Necessary.** Let z be such a node. Take a search that postpones x, enters single children down to the parent
+    /// of z, and postpones z there. It finds nothing in the sibling of z, returns to z (which empties the register) and
+    /// finds nothing there either. Then x is its next node, and neither the register nor the record of z has its
+    /// address.
     ///
-    /// **In one number.** A subtree with a leaf more than Ul below s is one that is higher than Ul. One with an inner
-    /// node more than Ui below s is one that is higher than Ui + 1. So x is hashed iff its sibling's subtree is at
-    /// least min(Ui + 2, Ul + 1) high. The paper's rule is a height of at least 3: exact for reaches of (2, 2) and
-    /// (1, 2), with keys too many for (2, 3), and with keys missing for (1, 1).
+    /// **In one number.** A subtree with a leaf more than Ul below s is higher than Ul. A subtree with an inner node
+    /// more than Ui below s is higher than Ui + 1. So x is hashed iff the height of its sibling's subtree is at least
+    /// min(Ui + 2, Ul + 1). The paper's rule is a height of at least 3: exact for reaches of (2, 2) and (1, 2), with
+    /// too many keys for (2, 3), and with missing keys for (1, 1).
     Exact(Reach),
 }
 
 impl KeySet {
-    /// By slot: whether the node is hashed. Linear time, no recursion.
+    /// Returns for each slot whether the node is hashed. Linear time, no recursion.
     pub fn slots(self, tree: &impl Topology) -> Vec<bool> {
         let mut hashed = vec![self == Self::All; tree.node_count()];
         collect(tree, (tree.root(), ()), self.sibling_height(), &mut |(), node| hashed[tree.slot(node)] = true);
         hashed
     }
 
-    /// The least height (levels) of a sibling's subtree for which a node is hashed.
+    /// Returns the least height (levels) of a sibling's subtree for which a node is hashed.
     const fn sibling_height(self) -> u32 {
         match self {
             Self::All => 0,
@@ -57,7 +59,7 @@ impl KeySet {
         }
     }
 
-    /// The hashed keys of a tree with their nodes, in no particular order.
+    /// Returns the hashed keys of a tree with their nodes, in no particular order.
     pub(super) fn keys<P: Step + Send>(self, tree: &impl Topology, root: P) -> Vec<HashedKey> {
         let mut keys = self.root_key(tree, root);
         let mut push = |path: P, node| keys.push(HashedKey { key: path.key(), node });
@@ -65,13 +67,13 @@ impl KeySet {
         keys
     }
 
-    /// The root is nobody's sibling: only [`All`](Self::All) has it.
+    /// The root is no node's sibling: only [`All`](Self::All) has it.
     fn root_key<P: Step>(self, tree: &impl Topology, root: P) -> Vec<HashedKey> {
         let key = HashedKey { key: root.key(), node: tree.root() };
         if self == Self::All { vec![key] } else { Vec::new() }
     }
 
-    /// [`keys`](Self::keys), by all threads: the top of the tree first, then what hangs below it.
+    /// Computes [`keys`](Self::keys) on all threads: the top of the tree first, then the subtrees below it.
     pub(super) fn keys_parallel<P: Step + Send + Sync>(self, tree: &(impl Topology + Sync), root: P) -> Vec<HashedKey> {
         let height = self.sibling_height();
         let top = Top::of(tree, root);
@@ -89,7 +91,7 @@ impl KeySet {
     }
 }
 
-/// A key of up to 64 bits, or what a longer one folds to, and its node.
+/// A key of up to 64 bits, or the fold of a longer one, and its node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HashedKey {
     pub(super) key: u64,
@@ -97,16 +99,16 @@ pub(super) struct HashedKey {
 }
 
 impl HashedKey {
-    /// Fills arrays.
+    /// A filler for arrays.
     pub(super) const NONE: Self = Self { key: 0, node: Node::inner(0) };
 }
 
-/// An inner node on the way to where the walk is.
+/// An inner node on the path to the current node of the walk.
 struct Open<P> {
     left: Node,
     right: Node,
     path: P,
-    /// Of the left subtree, once the walk is in the right one.
+    /// The height of the left subtree, once the walk is in the right one.
     left_height: Option<u32>,
 }
 
@@ -148,13 +150,13 @@ fn collect<P: Step>(
 
 /// The top of a tree, and the subtrees below it.
 struct Top<P> {
-    /// Inner nodes, parents before children, each with where its children's heights will stand.
+    /// Inner nodes, parents before children, each with the place of its children's heights.
     inner: Vec<(Node, P)>,
     below: Vec<(Node, P)>,
 }
 
 impl<P: Step> Top<P> {
-    /// Enough subtrees to keep threads busy in a tree that is any good; a chain ends the search for more.
+    /// Number of subtrees that keeps threads busy in any balanced tree; in a chain, the search for more stops.
     const SUBTREES: usize = 256;
 
     fn of(tree: &impl Topology, root: P) -> Self {
@@ -175,7 +177,7 @@ impl<P: Step> Top<P> {
         Self { inner, below: leaves }
     }
 
-    /// What [`collect`] does, for the top alone: `heights` are those of the subtrees below.
+    /// Computes [`collect`] for the top alone: `heights` are those of the subtrees below.
     fn finish(&self, tree: &impl Topology, heights: Vec<u32>, sibling_height: u32, found: &mut impl FnMut(P, Node)) {
         let nodes = self.below.iter().map(|&(node, _)| node);
         let mut heights: BTreeMap<Node, u32> = nodes.zip(heights).collect();

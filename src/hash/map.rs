@@ -8,10 +8,10 @@ use super::{Lookup, mix};
 use crate::key::KeyWord;
 use crate::tree::{Node, Topology};
 
-/// An ordinary hash table from keys to addresses: the yardstick for the perfect hash.
+/// An ordinary hash table from keys to addresses, for comparison with the perfect hash.
 ///
-/// Keys of up to 64 bits are stored as they are. Longer ones are stored as a 64-bit fold, under a seed for which the
-/// folds of this tree's keys all differ; construction looks for such a seed.
+/// Keys of up to 64 bits are stored directly. Longer keys are stored as a 64-bit fold, under a seed for which the folds
+/// of this tree's keys all differ; the construction searches for such a seed.
 #[derive(Clone, Debug)]
 pub struct KeyMap {
     /// A folded key and the bits of its node plus one, or 0 in an empty cell.
@@ -20,11 +20,11 @@ pub struct KeyMap {
 }
 
 impl KeyMap {
-    /// The map of all nodes of a tree.
+    /// Builds the map of all nodes of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         let mut seed = 0;
         loop {
-            // Among n keys two folds meet with probability n^2 / 2^65: a second seed is never seen in practice.
+            // Among n keys, two folds are equal with probability n^2 / 2^65: a second seed does not occur in practice.
             if let Some(map) = Self::with_seed(tree, mix(seed)) {
                 return map;
             }
@@ -32,7 +32,7 @@ impl KeyMap {
         }
     }
 
-    /// `None` if two keys fold to the same value.
+    /// Returns `None` if two keys fold to the same value.
     fn with_seed(tree: &impl Topology, seed: u64) -> Option<Self> {
         let size = (2 * tree.node_count() + 1).next_power_of_two();
         let mut map = Self { cells: vec![(0, 0); size], seed };
@@ -41,7 +41,7 @@ impl KeyMap {
         distinct.then_some(map)
     }
 
-    /// `None` if the key is there already.
+    /// Returns `None` if the key is already present.
     fn insert(&mut self, folded: u64, node: Node) -> Option<()> {
         let mask = self.cells.len() - 1;
         let mut at = mix(folded) as usize & mask;
@@ -55,12 +55,12 @@ impl KeyMap {
         Some(())
     }
 
-    /// Memory of the cells, in bytes.
+    /// Returns the memory of the cells, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.cells)
     }
 
-    /// The node with this key, if the tree has one.
+    /// Returns the node with this key, if the tree has one.
     #[inline]
     pub fn get<W: KeyWord>(&self, key: &W) -> Option<Node> {
         let folded = fold(key, self.seed);
@@ -77,7 +77,7 @@ impl KeyMap {
 }
 
 impl<W: KeyWord> Lookup<W> for KeyMap {
-    /// Every node of the tree is there; for a key of no node the answer is meaningless (and a panic in debug builds).
+    /// Every node of the tree is present; for a key of no node the answer is meaningless (and a panic in debug builds).
     #[inline]
     fn node(&self, key: &W) -> Node {
         let node = self.get(key);

@@ -1,9 +1,9 @@
-//! From a key to an address.
+//! Lookup of addresses by keys.
 //!
-//! A traversal that backtracks in constant time knows the key of the next node and needs its address. [`Lookup`] is
-//! what it asks; the implicit layout answers by arithmetic, [`KeyMap`] by an ordinary open-addressing table, and
-//! [`PerfectHash`] by the two small tables of Binder & Keller (2016, Section 2.2), which hold only the keys that can be
-//! asked for ([`KeySet`]) and which [`certify()`] proves right for a tree.
+//! A traversal that backtracks in constant time knows the key of the next node and needs its address. [`Lookup`] is its
+//! interface. The implicit layout implements it by arithmetic, [`KeyMap`] by an ordinary open-addressing table, and
+//! [`PerfectHash`] by the two small tables of Binder & Keller (2016, Section 2.2). These hold only the keys that a
+//! traversal can look up ([`KeySet`]), and [`certify()`] checks them for a tree.
 
 mod address;
 mod build;
@@ -33,7 +33,7 @@ use crate::tree::{Implicit, ImplicitCells, Node};
 
 /// Maps the keys of a tree's nodes to their addresses.
 pub trait Lookup<W> {
-    /// Address of the node with this key, which must be a key that the table was made for.
+    /// Returns the address of the node with this key, which must be a key of the table.
     ///
     /// For another key the answer is meaningless, as in every perfect hash; debug builds panic.
     fn node(&self, key: &W) -> Node;
@@ -54,7 +54,7 @@ impl<W: KeyWord> Lookup<W> for Implicit {
 }
 
 impl<W: KeyWord> Lookup<W> for ImplicitCells<'_> {
-    /// Every node of the tree is there; for a key of no node the answer is meaningless (and a panic in debug builds).
+    /// Every node of the tree is present; for a key of no node the answer is meaningless (and a panic in debug builds).
     #[inline]
     fn node(&self, key: &W) -> Node {
         let address = key.to_u64().map_or(usize::MAX, |key| (key as usize).wrapping_sub(1));
@@ -64,8 +64,8 @@ impl<W: KeyWord> Lookup<W> for ImplicitCells<'_> {
     }
 }
 
-/// The finaliser of `SplitMix64` (Steele, Lea & Flood 2014): a bijection in which every input bit moves about half
-/// of the output bits.
+/// Applies the finaliser of `SplitMix64` (Steele, Lea & Flood 2014): a bijection in which every input bit changes about
+/// half of the output bits.
 pub const fn mix(mut x: u64) -> u64 {
     x ^= x >> 30;
     x = x.wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -74,7 +74,7 @@ pub const fn mix(mut x: u64) -> u64 {
     x ^ x >> 31
 }
 
-/// Detects every change of one 64-bit word, and nearly every other change. `[FILE-4]`
+/// Computes a checksum that detects every change of one 64-bit word, and nearly every other change. `[FILE-4]`
 pub fn checksum(bytes: &[u8]) -> u64 {
     let (words, rest) = bytes.as_chunks();
     let mut last = [0; 8];

@@ -1,20 +1,20 @@
-//! Remainders by the number of cells, three ways.
+//! Remainders by the number of cells, in three implementations.
 
-/// The number of cells of a table: 1 to 2^31, so that every cell number leaves the sign bit clear.
+/// The number of cells of a table: 1 to 2^31, so the sign bit of every cell number is clear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct TableSize(u32);
 
 impl TableSize {
-    /// Most cells that a table can have.
+    /// Greatest number of cells of a table.
     pub const MAX: u32 = 1 << 31;
 
-    /// This size; `None` beyond 1 to 2^31.
+    /// Creates this size; `None` beyond 1 to 2^31.
     #[inline]
     pub const fn new(cells: u32) -> Option<Self> {
         if cells == 0 || cells > Self::MAX { None } else { Some(Self(cells)) }
     }
 
-    /// The number.
+    /// Returns the number.
     #[inline]
     pub const fn get(self) -> u32 {
         self.0
@@ -23,9 +23,9 @@ impl TableSize {
 
 /// The remainder of a key by a fixed [`TableSize`].
 pub trait Modulo {
-    /// Of a key of 32 bits, in 32-bit arithmetic.
+    /// Returns the remainder of a key of 32 bits, in 32-bit arithmetic.
     fn of_u32(&self, key: u32) -> u32;
-    /// Of a key of 64 bits.
+    /// Returns the remainder of a key of 64 bits.
     fn of_u64(&self, key: u64) -> u32;
 }
 
@@ -45,8 +45,8 @@ impl Modulo for Remainder {
     }
 }
 
-/// A size that the compiler knows, as in a kernel that is compiled for its scene. It does not compile for a number that
-/// is no [`TableSize`].
+/// A size that is known at compile time, as in a kernel compiled for its scene. A number that is not a [`TableSize`]
+/// does not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct Constant<const H: u32>;
 
@@ -78,7 +78,7 @@ impl<const H: u32> Modulo for Constant<H> {
 /// and q = floor(kM/W), the high half of one product, is the quotient floor(k/H) or one less. The remainder is thus k -
 /// qH, which is less than 2H <= 2^32 and fits 32 bits, or that minus H. Where `r < H`, `r - H` wraps to more than `r`:
 /// the remainder is the smaller one of the two. This is Barrett's reduction (1986) with a quotient that fits a word.
-/// The M for 2^32 is the high half of the M for 2^64, so that one number serves both.
+/// The M for 2^32 is the high half of the M for 2^64, so one number serves the two widths.
 #[derive(Clone, Copy, Debug)]
 pub struct Reciprocal {
     size: u32,
@@ -86,20 +86,20 @@ pub struct Reciprocal {
 }
 
 impl Reciprocal {
-    /// The reciprocal of a size.
+    /// Returns the reciprocal of a size.
     #[inline]
     pub const fn of(size: TableSize) -> Self {
         Self { size: size.get(), reciprocal: u64::MAX / size.get() as u64 }
     }
 
-    /// The size.
+    /// Returns the size.
     #[inline]
     pub const fn size(self) -> u32 {
         self.size
     }
 }
 
-/// `r` modulo `size`, for `r` below twice the size.
+/// Returns `r` modulo `size`, for `r` below twice the size.
 #[inline(always)]
 pub fn wrap(r: u32, size: u32) -> u32 {
     r.min(r.wrapping_sub(size))
@@ -115,7 +115,7 @@ impl Modulo for Reciprocal {
     #[inline(always)]
     fn of_u64(&self, key: u64) -> u32 {
         let quotient = (u128::from(key) * u128::from(self.reciprocal)) >> 64;
-        // Less than 2^32, so that its low 32 bits are all of it.
+        // Less than 2^32, so the low 32 bits suffice.
         wrap((key as u32).wrapping_sub((quotient as u32).wrapping_mul(self.size)), self.size)
     }
 }
@@ -137,7 +137,7 @@ mod tests {
         }
     }
 
-    /// Keys where a quotient steps, in both widths, and random ones.
+    /// Keys at which a quotient steps, in both widths, and random keys.
     fn check_all(size: u32, constant: Option<&dyn Modulo>) {
         let mut rng = Rng::new(u64::from(size));
         let h = u64::from(size);

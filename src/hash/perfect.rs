@@ -19,7 +19,7 @@ use crate::tree::Node;
 /// ```
 ///
 /// where D is a power of two. (The paper writes (k + d) mod H, which overflows where keys use the full width.) Where
-/// one key alone has a displacement, its node stands there instead, marked by the sign: one load, no remainder.
+/// one key alone has a displacement, the table holds its node instead, marked by the sign: one load, no remainder.
 /// `[HASH-5]`
 ///
 /// Keys of up to 64 bits are hashed as they are, in 32-bit arithmetic where all keys of the tree fit. Longer ones are
@@ -44,7 +44,7 @@ use crate::tree::Node;
 pub struct PerfectHash {
     pub(super) header: Header,
     modulus: Reciprocal,
-    /// By the low bits of a key: a displacement below H, or an address.
+    /// Indexed by the low bits of a key: a displacement below H, or an address.
     pub(super) displacements: Box<[u32]>,
     /// Addresses; 0 in empty cells.
     pub(super) cells: Box<[u32]>,
@@ -52,30 +52,30 @@ pub struct PerfectHash {
     members: Members,
 }
 
-/// What a table was made for, and how.
+/// The parameters of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Header {
-    /// Which nodes are hashed.
+    /// The hashed nodes.
     pub key_set: KeySet,
-    /// How D and H were chosen.
+    /// The sizing of D and H.
     pub sizing: Sizing,
     /// Number of hashed keys.
     pub keys: u32,
-    /// How many of them have their address in the table of displacements.
+    /// Number of keys with an address in the table of displacements.
     pub direct: u32,
     /// D, the number of displacements: a power of two.
     pub displacements: u32,
     /// H, the number of cells: odd, hence coprime to D.
     pub cells: TableSize,
-    /// What keys go through before the remainders.
+    /// The bijection before the remainders.
     pub mix: Mix,
-    /// Seeds that were tried, the one in use included; 0 for the printed function.
+    /// Number of tried seeds, including the one in use; 0 for the printed function.
     pub reseeds: u32,
     /// Seed of the fold of keys beyond 64 bits.
     pub fold_seed: u64,
 }
 
-/// How the sizes D and H follow from the numbers of nodes and keys. `[HASH-2]`
+/// The sizing of D and H by the numbers of nodes and keys. `[HASH-2]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sizing {
     /// As printed (Section 2.2.2), with all nodes as N: D is the highest power of two below N/2 (at least 1), H the
@@ -83,9 +83,9 @@ pub enum Sizing {
     Printed,
     /// As printed, with the hashed keys as N.
     PrintedHashed,
-    /// Made for direct addresses: D is the power of two nearest to twice the number of keys (1.4 to 2.8 times their
-    /// number), H the smallest odd number above twice the number of keys that are left without a direct address, or an
-    /// eighth more, and so on, where two of them are equal modulo D and H.
+    /// For direct addresses: D is the power of two nearest to twice the number of keys (1.4 to 2.8 times their number).
+    /// H is the smallest odd number above twice the number of keys without a direct address. If two of these keys are
+    /// equal modulo D and H, H is an eighth more, and so on.
     Tight,
 }
 
@@ -93,7 +93,7 @@ impl Sizing {
     /// All sizings.
     pub const ALL: [Self; 3] = [Self::Printed, Self::PrintedHashed, Self::Tight];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Printed => "printed",
@@ -110,12 +110,12 @@ impl fmt::Display for Sizing {
 }
 
 impl Header {
-    /// Bytes of both tables.
+    /// Returns the bytes of both tables.
     pub const fn bytes(&self) -> usize {
         4 * (self.displacements as usize + self.cells.get() as usize)
     }
 
-    /// Share of the keys whose lookup is one load: 1 where there are no keys.
+    /// Returns the fraction of the keys whose lookup is one load: 1 if there are no keys.
     pub fn direct_share(&self) -> f64 {
         if self.keys == 0 { 1.0 } else { f64::from(self.direct) / f64::from(self.keys) }
     }
@@ -126,12 +126,12 @@ impl Header {
 pub struct Mix {
     /// Whether all keys fit 32 bits: then they are mixed and reduced in 32-bit arithmetic.
     pub narrow: bool,
-    /// `None` is the identity: the printed function, which mostly works.
+    /// `None` is the identity: the printed function, which usually works.
     pub seed: Option<u64>,
 }
 
 impl Mix {
-    /// A key of 32 bits, where all keys are.
+    /// Applies the bijection to a key of 32 bits, if all keys have 32 bits.
     #[inline(always)]
     pub(super) const fn narrow(self, key: u32) -> u32 {
         match self.seed {
@@ -140,7 +140,7 @@ impl Mix {
         }
     }
 
-    /// A key of 64 bits, where not all keys fit 32.
+    /// Applies the bijection to a key of 64 bits, if not all keys fit 32 bits.
     #[inline(always)]
     pub(super) const fn wide(self, key: u64) -> u64 {
         match self.seed {
@@ -149,13 +149,14 @@ impl Mix {
         }
     }
 
-    /// Any key.
+    /// Applies the bijection to any key.
     pub const fn apply(self, key: u64) -> u64 {
         if self.narrow { self.narrow(key as u32) as u64 } else { self.wide(key) }
     }
 }
 
-/// A bijection of 32-bit words for which hardware without 64-bit products is no slower (Wellons 2018, `lowbias32`).
+/// Applies a bijection of 32-bit words that is not slower on hardware without 64-bit products (Wellons 2018,
+/// `lowbias32`).
 const fn mix_u32(mut x: u32) -> u32 {
     x ^= x >> 16;
     x = x.wrapping_mul(0x7feb_352d);
@@ -165,7 +166,7 @@ const fn mix_u32(mut x: u32) -> u32 {
 }
 
 impl PerfectHash {
-    /// Puts tables together. Their lengths are those of the header, both at least 1, and displacements are below H.
+    /// Combines tables. Their lengths are those of the header, both at least 1, and displacements are below H.
     pub(super) fn from_parts(header: Header, displacements: Box<[u32]>, cells: Box<[u32]>, members: Members) -> Self {
         debug_assert!(displacements.len().is_power_of_two() && cells.len() == header.cells.get() as usize);
         #[cfg(not(debug_assertions))]
@@ -180,8 +181,8 @@ impl PerfectHash {
         }
     }
 
-    /// Tables that were made elsewhere, to look keys of up to 64 bits up in; `None` if D is no power of two, H is 0 or
-    /// too large, or a displacement is not below it.
+    /// Wraps external tables for lookups of keys of up to 64 bits; `None` if D is not a power of two, H is 0 or too
+    /// large, or a displacement is not below it.
     pub fn given(displacements: Box<[u32]>, cells: Box<[u32]>, mix: Mix) -> Option<Self> {
         let size = TableSize::new(u32::try_from(cells.len()).ok()?)?;
         let fits = |&word: &u32| is_address(word) || word < size.get();
@@ -202,33 +203,33 @@ impl PerfectHash {
         Some(Self::from_parts(header, displacements, cells, Members::default()))
     }
 
-    /// What the table was made for, and how.
+    /// Returns the parameters of the table.
     pub const fn header(&self) -> &Header {
         &self.header
     }
 
-    /// The displacement table d, of D words: displacements below H, or addresses with the sign bit set, `0x80000000 +
-    /// a` for the inner node a and `!i` for the leaf i. 0 where no key has it.
+    /// Returns the displacement table d, of D words: displacements below H, or addresses with the sign bit set,
+    /// `0x80000000 + a` for the inner node a and `!i` for the leaf i. 0 if no key uses the entry.
     pub fn displacements(&self) -> &[u32] {
         &self.displacements
     }
 
-    /// The hash table, of H words: addresses as in [`displacements`](Self::displacements), 0 in empty cells.
+    /// Returns the hash table, of H words: addresses as in [`displacements`](Self::displacements), 0 in empty cells.
     pub fn cells(&self) -> &[u32] {
         &self.cells
     }
 
-    /// What stands where a key leads, for whatever key: `None` for an empty cell, else a node that need not be the
-    /// key's.
+    /// Returns the content of a key's cell, for any key: `None` for an empty cell, otherwise a node that need not be
+    /// the key's.
     #[inline(always)]
     pub fn probe<W: KeyWord>(&self, key: &W) -> Option<Node> {
         self.probe_by(&self.modulus, key)
     }
 
-    /// [`probe`](Self::probe) with another way to the remainder by H, which `modulo` must be made for.
+    /// Computes [`probe`](Self::probe) with another remainder by H; `modulo` must be for H.
     ///
-    /// The lookup multiplies by a [`Reciprocal`]. By itself that has twice the throughput of a division; within a
-    /// lookup on a processor with fast division the two differ by less than a tenth.
+    /// The lookup multiplies by a [`Reciprocal`]. Alone, the multiplication has twice the throughput of a division. In
+    /// a lookup on a processor with fast division, the difference is less than a tenth.
     #[inline(always)]
     pub fn probe_by<W: KeyWord>(&self, modulo: &impl Modulo, key: &W) -> Option<Node> {
         let mix = self.header.mix;
@@ -242,7 +243,7 @@ impl PerfectHash {
         is_address(word).then(|| decode(word))
     }
 
-    /// Whether the lookup of this key takes one load: its bucket holds an address.
+    /// Returns whether the lookup of this key takes one load: its bucket holds an address.
     pub fn is_direct<W: KeyWord>(&self, key: &W) -> bool {
         let mix = self.header.mix;
         let mixed =
@@ -250,8 +251,8 @@ impl PerfectHash {
         is_address(self.displacements[mixed as usize & (self.displacements.len() - 1)])
     }
 
-    /// The branch is as printed. Doing without, by two loads and a select, takes 3.5 ns instead of 6 where half of the
-    /// keys are direct and 3.5 instead of 2.2 where nearly all are, and makes no difference to a traversal.
+    /// The branch is as printed. Two loads and a select instead take 3.5 ns in place of 6 if half of the keys are
+    /// direct, and 3.5 in place of 2.2 if nearly all are. They make no difference to a traversal.
     #[inline(always)]
     fn word(&self, low_bits: usize, remainder: impl FnOnce() -> u32) -> u32 {
         let displacement = self.displacements[low_bits & (self.displacements.len() - 1)];
@@ -262,7 +263,7 @@ impl PerfectHash {
     }
 }
 
-/// Equal tables, made for the same.
+/// Equal tables, with equal parameters.
 impl PartialEq for PerfectHash {
     fn eq(&self, other: &Self) -> bool {
         (self.header, &self.displacements, &self.cells) == (other.header, &other.displacements, &other.cells)
@@ -281,7 +282,7 @@ impl<W: KeyWord> Lookup<W> for PerfectHash {
     }
 }
 
-/// The hashed keys, by which builds with debug assertions verify each lookup. Elsewhere it is empty.
+/// The hashed keys, by which builds with debug assertions verify each lookup. Empty in other builds.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Members {
     /// Each node with its folded key, by node; `None` for a table from a file.

@@ -1,4 +1,4 @@
-//! From keys to tables: buckets by decreasing size, and for each the first displacement under which its cells are free.
+//! Placement of keys: buckets by decreasing size, and for each the first displacement under which its cells are free.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -10,11 +10,11 @@ use crate::threads;
 
 /// The keys, grouped by their displacement.
 pub(super) struct Buckets {
-    /// By the low bits of a key: the address of a key that is alone there, else 0.
+    /// Indexed by the low bits of a key: the address of a key that is alone there, otherwise 0.
     displacements: Vec<u32>,
     /// Keys that share a displacement, bucket by bucket.
     shared: Vec<HashedKey>,
-    /// Their buckets, the largest first, of equal ones the one with the lower index.
+    /// Their buckets, the largest first; of equal sizes the lower index first.
     by_size: Vec<Bucket>,
     direct: u32,
 }
@@ -57,7 +57,7 @@ impl Buckets {
             by_count[count as usize] += 1;
         }
         let direct = by_count[1];
-        // The number of larger buckets is where those of a size begin.
+        // The number of larger buckets is the start of the buckets of a size.
         let mut larger = 0;
         for count in by_count[2..].iter_mut().rev() {
             larger += core::mem::replace(count, larger);
@@ -75,7 +75,7 @@ impl Buckets {
                 start += keys;
             }
         }
-        // Now 1 for a lone key, and for the others two more than the place of the next.
+        // Now 1 for a lone key; for other keys two more than the place of the next.
         let mut displacements = vec![0; size];
         let mut shared = vec![HashedKey::NONE; keys.len() - direct as usize];
         for key in keys {
@@ -90,12 +90,12 @@ impl Buckets {
         Self { displacements, shared, by_size: buckets, direct }
     }
 
-    /// D.
+    /// Returns D.
     pub(super) const fn size(&self) -> usize {
         self.displacements.len()
     }
 
-    /// Number of keys that share a displacement.
+    /// Returns the number of keys that share a displacement.
     pub(super) fn shared(&self) -> usize {
         self.shared.len()
     }
@@ -120,13 +120,13 @@ impl Buckets {
         Ok(())
     }
 
-    /// Finds the displacements for H = `size`, modulo which the buckets are [separate](Self::separate); gives back the
+    /// Finds the displacements for H = `size`, modulo which the buckets are [separate](Self::separate). Returns the
     /// first bucket for which there is none. `[HASH-8]`
     ///
-    /// Buckets are placed one after the other, each at the least displacement under which all its cells are free. By
-    /// many threads, the least one for the table as it is before a batch of buckets is searched for all of them at
-    /// once, and then each is placed in order, searching on from there. The tables are the same: cells only fill, so a
-    /// displacement that does not fit before the batch does not fit later, and none is left out.
+    /// Buckets are placed one after the other, each at the least displacement under which all its cells are free. Many
+    /// threads first search for the least displacement of each bucket of a batch, in the table before the batch. Then
+    /// each bucket is placed in order, and its search continues from there. The tables are the same: cells only fill,
+    /// so a displacement that does not fit before the batch does not fit later, and none is skipped.
     pub(super) fn place(self, size: TableSize, parallel: bool) -> Result<Tables, Bucket> {
         let modulo = Reciprocal::of(size);
         let Self { mut displacements, shared, by_size, direct } = self;
@@ -151,10 +151,10 @@ impl Buckets {
     }
 }
 
-/// Buckets that threads search for at once.
+/// Buckets that threads search for in one batch.
 const BATCH: usize = 1 << 12;
 
-/// For each bucket of a batch, the least displacement under which all its cells are free.
+/// Returns for each bucket of a batch the least displacement under which all its cells are free.
 fn first_fits(taken: &Taken, batch: &[Bucket], remainders: &[u32]) -> Vec<Option<u32>> {
     threads::map(0..batch.len(), 64, |i| taken.first_fit(&remainders[batch[i].range()], 0))
 }
@@ -165,8 +165,8 @@ impl Bucket {
     }
 }
 
-/// Which cells are taken, one bit each. Beyond the last cell the bits start over, so that 64 cells in a row can be read
-/// from anywhere.
+/// The taken cells, one bit each. After the last cell the bits repeat, so 64 consecutive cells can be read from any
+/// position.
 struct Taken {
     words: Vec<u64>,
     size: usize,
@@ -178,7 +178,7 @@ impl Taken {
         Self { words: vec![0; size / 64 + 3], size }
     }
 
-    /// The cell of a key with this remainder.
+    /// Returns the cell of a key with this remainder.
     fn cell(&self, remainder: u32, displacement: u32) -> usize {
         let cell = remainder as usize + displacement as usize;
         if cell < self.size { cell } else { cell - self.size }
@@ -190,14 +190,14 @@ impl Taken {
         }
     }
 
-    /// Bit `i`: whether the cell `i` after this one is taken.
+    /// Returns a word whose bit `i` is set if the cell `i` after this one is taken.
     fn row(&self, cell: usize) -> u64 {
         let words = u128::from(self.words[cell / 64]) | u128::from(self.words[cell / 64 + 1]) << 64;
         (words >> (cell % 64)) as u64
     }
 
-    /// The least displacement, at least `from`, under which the cells of all remainders are free; those below `from`
-    /// must be known to be none. Sixty-four at a time.
+    /// Returns the least displacement, at least `from`, under which the cells of all remainders are free; no
+    /// displacement below `from` may fit. It tests sixty-four at a time.
     fn first_fit(&self, remainders: &[u32], from: u32) -> Option<u32> {
         for displacement in (from..self.size as u32).step_by(64) {
             let mut taken = 0;
@@ -208,7 +208,7 @@ impl Taken {
                 }
             }
             if taken != u64::MAX {
-                // Beyond H the displacements start over, with those that do not fit.
+                // After H the displacements repeat, with those that do not fit.
                 let fit = displacement + taken.trailing_ones();
                 return ((fit as usize) < self.size).then_some(fit);
             }

@@ -1,4 +1,4 @@
-//! A lookup that knows when it is wrong.
+//! A lookup that detects wrong results.
 
 use core::borrow::Borrow;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -7,10 +7,10 @@ use super::{Lookup, PerfectHash};
 use crate::key::KeyWord;
 use crate::tree::{Keys, Node, Topology};
 
-/// A perfect hash that compares the key of each node that it finds with the key that was asked for. `[HASH-10]`
+/// A perfect hash that compares the key of each node that it finds with the requested key. `[HASH-10]`
 ///
-/// A miss is counted and answered from a walk down the tree, so that the search goes on as it should and every miss of
-/// it is counted.
+/// It counts each miss and answers it by a walk down the tree. So the search continues correctly and every miss is
+/// counted.
 #[derive(Debug)]
 pub struct Verified<'a, T, H = &'a PerfectHash, K = &'a Keys> {
     hash: H,
@@ -21,17 +21,17 @@ pub struct Verified<'a, T, H = &'a PerfectHash, K = &'a Keys> {
 }
 
 impl<'a, T, H, K> Verified<'a, T, H, K> {
-    /// The hash of a tree, with the tree's keys to verify it by; each borrowed or owned.
+    /// Combines the hash of a tree with the tree's keys for verification; each is borrowed or owned.
     pub const fn new(hash: H, tree: &'a T, keys: K) -> Self {
         Self { hash, tree, keys, lookups: AtomicUsize::new(0), misses: AtomicUsize::new(0) }
     }
 
-    /// Number of lookups so far.
+    /// Returns the number of lookups so far.
     pub fn lookups(&self) -> usize {
         self.lookups.load(Ordering::Relaxed)
     }
 
-    /// How many of them found no node or another one.
+    /// Returns the number of lookups that found no node or a wrong one.
     pub fn misses(&self) -> usize {
         self.misses.load(Ordering::Relaxed)
     }

@@ -1,10 +1,10 @@
-//! A word that grows: one register, and an extension that is touched only when the register's flag is set.
+//! A growing word: one register, and an extension that is used only when the register's flag is set.
 //!
 //! Binder & Keller (2016, Section 3) do not widen their words for deep trees: "each value that can overflow gets extra
-//! data in the shared memory of the GPU and an overflow is indicated by the most significant bit of the value". So
-//! does [`Grow`]: 63 bits of payload, a flag, and a stack of full 63-bit pieces above them. A shift left that would
-//! lose a bit pushes the register as a piece; a shift right past the register pops pieces. Each step costs amortised
-//! constant time at any depth, and no operation on a shallow value looks at the extension.
+//! data in the shared memory of the GPU and an overflow is indicated by the most significant bit of the value".
+//! [`Grow`] works likewise: 63 bits of payload, a flag, and a stack of full 63-bit pieces above them. A left shift that
+//! would lose a bit pushes the register as a piece; a right shift past the register pops pieces. Each step costs
+//! amortised constant time at any depth, and no operation on a shallow value reads the extension.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -15,7 +15,7 @@ use super::{KeyWord, Word};
 
 /// An unsigned integer of any length, for the keys, trails and counters of trees deeper than a word. `[DEPTH-3]`
 ///
-/// It does not wrap: sums grow, and a difference below zero (which no bit function here asks for) is zero.
+/// It does not wrap: sums grow, and a difference below zero (which no bit function here computes) is zero.
 ///
 /// ```
 /// use stackless_bvh::key::{self, Grow, KeyWord};
@@ -27,7 +27,7 @@ use super::{KeyWord, Word};
 /// ```
 #[derive(Clone)]
 pub struct Grow {
-    /// Flag (top bit: the extension is in use) and payload, of which the lowest `used` bits belong to the value.
+    /// Flag (top bit: the extension is in use) and payload, whose lowest `used` bits belong to the value.
     low: u64,
     /// 1 to 63.
     used: u32,
@@ -51,7 +51,7 @@ impl Grow {
         self.low & FLAG != 0
     }
 
-    /// Whether `other` lies within the register of `self`, so that an operation need not look further.
+    /// Returns whether `other` lies within the register of `self`, so an operation need not read further.
     const fn covers(&self, other: &Self) -> bool {
         !other.is_extended() && (other.low >> self.used == 0)
     }
@@ -63,12 +63,12 @@ impl Grow {
         }
     }
 
-    /// Stored bits, leading zeros included.
+    /// Returns the number of stored bits, including leading zeros.
     fn stored_bits(&self) -> u32 {
         self.extension.len() as u32 * PIECE + self.used
     }
 
-    /// `count` (at most 63) bits, the lowest of them `at` bits above the lowest of the value.
+    /// Returns `count` (at most 63) bits, starting `at` bits above the lowest of the value.
     fn bits_at(&self, at: u32, count: u32) -> u64 {
         let piece = |index: u32| -> u64 {
             let from_top = (self.extension.len() as u32).checked_sub(index);
@@ -84,7 +84,8 @@ impl Grow {
         value as u64 & (FLAG >> (PIECE - count)).wrapping_sub(1)
     }
 
-    /// A bitwise operation; of operands whose pieces are aligned, as keys and counters at one node are, piece by piece.
+    /// Computes a bitwise operation. If the operands' pieces are aligned, like those of keys and counters at one node,
+    /// it works piece by piece.
     #[inline(never)]
     fn bitwise(mut self, other: &Self, op: impl Fn(u64, u64) -> u64) -> Self {
         if self.used != other.used || self.extension.len() != other.extension.len() {
@@ -97,7 +98,7 @@ impl Grow {
         self
     }
 
-    /// An operation on pieces, lowest first, for operands of any alignment.
+    /// Computes an operation on pieces, lowest first, for operands of any alignment.
     #[inline(never)]
     fn zip(&self, other: &Self, mut op: impl FnMut(u64, u64) -> u64) -> Self {
         let bits = self.stored_bits().max(other.stored_bits()) + 1;

@@ -20,37 +20,37 @@ pub(crate) use side::branched;
 pub(crate) use word::PIECE;
 pub use word::{KeyWord, TooDeep, Word};
 
-/// Key of the root. `[KEY-1]`
+/// Returns the key of the root. `[KEY-1]`
 #[inline]
 pub fn root<W: Word>() -> W {
     W::one()
 }
 
-/// Key of a child; `right` is 0 or 1. `[KEY-2]`
+/// Returns the key of a child; `right` is 0 or 1. `[KEY-2]`
 #[inline]
 pub fn child<W: Word>(key: W, right: W) -> W {
     key.shl1().or(&right)
 }
 
-/// Key of the parent; 0 for the root. `[KEY-3]`
+/// Returns the key of the parent; 0 for the root. `[KEY-3]`
 #[inline]
 pub fn parent<W: Word>(key: W) -> W {
     key.shr1()
 }
 
-/// Key of the sibling. Meaningless for the root. `[KEY-4]`
+/// Returns the key of the sibling. Meaningless for the root. `[KEY-4]`
 #[inline]
 pub fn sibling<W: Word>(key: W) -> W {
     key.xor(&W::one())
 }
 
-/// Depth, in edges, of the node with this key. `[KEY-5]`
+/// Returns the depth, in edges, of the node with this key. `[KEY-5]`
 #[inline]
 pub fn depth<W: KeyWord>(key: &W) -> u32 {
     key.bit_length().saturating_sub(1)
 }
 
-/// Key of the leftmost node at the depth of this key: its leading one. 0 for 0. `[KEY-6]`
+/// Returns the key of the leftmost node at the depth of this key: its leading one. 0 for 0. `[KEY-6]`
 pub fn level_start<W: KeyWord>(key: &W) -> W {
     match (W::highest(), W::WIDTH) {
         (Some(highest), Some(width)) if !key.is_zero() => highest.shr(width - key.bit_length()),

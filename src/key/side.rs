@@ -1,4 +1,4 @@
-//! Left and right, and bits that are branched on.
+//! Left and right, and conversions of bits by a branch.
 
 use super::KeyWord;
 
@@ -18,37 +18,37 @@ impl Side {
         if right { Self::Right } else { Self::Left }
     }
 
-    /// The other side.
+    /// Returns the other side.
     #[inline]
     #[must_use]
     pub const fn other(self) -> Self {
         Self::right_if(matches!(self, Self::Left))
     }
 
-    /// Whether this is the right side.
+    /// Returns whether this is the right side.
     #[inline]
     pub const fn is_right(self) -> bool {
         matches!(self, Self::Right)
     }
 
-    /// The lowest bit of the child's key, by a branch.
+    /// Returns the lowest bit of the child's key, by a branch.
     #[inline(always)]
     pub(crate) fn bit<W: KeyWord>(self) -> W {
         branched(self.is_right())
     }
 
-    /// Position in an array of two children.
+    /// Returns the position in an array of two children.
     #[inline]
     pub const fn index(self) -> usize {
         self as usize
     }
 }
 
-/// 0 or 1, by a branch that the compiler must not turn into arithmetic.
+/// Returns 0 or 1, by a branch that the compiler must not turn into arithmetic.
 ///
-/// Keys, trails and counters say where the next record is. If they were computed from the results of the box tests, the
-/// processor could not load that record before the tests are done; behind a branch it goes on with the value that it
-/// expects. See [`Topology::child`](crate::tree::Topology::child).
+/// Keys, trails and counters determine the next record. If they were computed from the results of the box tests, the
+/// processor could not load that record before the tests are done. After a branch it continues with the predicted
+/// value. See [`Topology::child`](crate::tree::Topology::child).
 #[inline(always)]
 pub(crate) fn branched<W: KeyWord>(bit: bool) -> W {
     if bit {

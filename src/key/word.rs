@@ -1,12 +1,12 @@
-//! The words that keys, trails and counters are made of.
+//! The words of keys, trails and counters.
 
 use core::fmt::Debug;
 use core::hash::Hash;
 
 /// The operations that the bit functions of this crate need, without any branch on a value.
 ///
-/// A symbolic bit-vector can implement it, so that the source of [`key`](crate::key), [`trail`](crate::trail) and
-/// [`swap`](crate::swap) is what a solver proves. Shifting by the width or more is never asked for.
+/// A symbolic bit-vector can implement it, so that a solver proves the source of [`key`](crate::key),
+/// [`trail`](crate::trail) and [`swap`](crate::swap). Callers never shift by the width or more.
 pub trait Word: Clone {
     /// A number of bits to shift by.
     type Shift;
@@ -24,7 +24,7 @@ pub trait Word: Clone {
     /// Shift right by `n`, less than the width.
     #[must_use]
     fn shr(self, n: Self::Shift) -> Self;
-    /// Number of zero bits below the lowest one. Only asked for non-zero words.
+    /// Number of zero bits below the lowest set bit. Called only for non-zero words.
     fn trailing_zeros(&self) -> Self::Shift;
     /// Bitwise and.
     #[must_use]
@@ -43,10 +43,10 @@ pub trait Word: Clone {
     fn wrapping_sub(self, other: &Self) -> Self;
 }
 
-/// Bits of one piece of a long key: what fits 64 bits beside a flag.
+/// Bits of one piece of a long key: 64 bits less a flag.
 pub(crate) const PIECE: u32 = 63;
 
-/// A word with values: what a running traversal needs beyond [`Word`].
+/// A word with values: the operations that a running traversal needs in addition to [`Word`].
 pub trait KeyWord: Word<Shift = u32> + Default + Eq + Hash + Debug + Send + Sync + 'static {
     /// Name on the command line and in tables.
     const NAME: &'static str;
@@ -57,25 +57,26 @@ pub trait KeyWord: Word<Shift = u32> + Default + Eq + Hash + Debug + Send + Sync
     fn from_bit(bit: bool) -> Self;
     /// The highest bit; `None` for a word that grows.
     fn highest() -> Option<Self>;
-    /// Whether the value is 0.
+    /// Returns whether the value is 0.
     fn is_zero(&self) -> bool;
-    /// Whether the value is one less than a power of two: ones up to its highest.
+    /// Returns whether the value is one less than a power of two: all bits up to its highest are ones.
     fn is_all_ones(&self) -> bool;
-    /// The lowest bits, as many as 32.
+    /// Returns the lowest 32 bits.
     fn low_bits(&self) -> u32;
-    /// Position of the highest one, plus one; 0 for 0.
+    /// Returns the position of the highest one, plus one; 0 for 0.
     fn bit_length(&self) -> u32;
-    /// The value, if it fits 64 bits.
+    /// Returns the value, if it fits 64 bits.
     fn to_u64(&self) -> Option<u64>;
-    /// Piece `index` of the value's bits, counted from the highest one down: 63 bits each, the last one shorter.
+    /// Returns piece `index` of the value's bits, counted from the highest one down: 63 bits each, the last one
+    /// shorter.
     fn piece(&self, index: u32) -> u64;
 
-    /// Number of pieces: 0 for 0.
+    /// Returns the number of pieces: 0 for 0.
     fn piece_count(&self) -> u32 {
         self.bit_length().div_ceil(PIECE)
     }
 
-    /// Bytes of one such word in a traversal's state, in a tree of this depth (edges).
+    /// Returns the bytes of one such word in a traversal's state, in a tree of this depth (edges).
     fn bytes(depth: u32) -> usize {
         Self::WIDTH.map_or_else(|| 8 + (depth / PIECE) as usize * 8, |width| width as usize / 8)
     }
@@ -83,7 +84,7 @@ pub trait KeyWord: Word<Shift = u32> + Default + Eq + Hash + Debug + Send + Sync
     /// Refuses trees that a state of `WIDTH - spare` bits below the leading one cannot carry. `[DEPTH-2]`
     ///
     /// # Errors
-    /// [`TooDeep`] names the depth, the limit and the word.
+    /// [`TooDeep`] with the depth, the limit and the word.
     fn carries(depth: u32, spare: u32) -> Result<(), TooDeep> {
         match Self::WIDTH {
             Some(width) if depth > width - spare => Err(TooDeep { depth, limit: width - spare, word: Self::NAME }),
@@ -208,5 +209,5 @@ macro_rules! word {
     )*};
 }
 
-// u8 and u16 are there to be exhausted by tests, and for tiny hardware.
+// u8 and u16 are for exhaustive tests, and for small hardware.
 word!(u8, u16, u32, u64, u128);

@@ -1,4 +1,4 @@
-//! Which triangle test and which box test, by name.
+//! Triangle tests and box tests, by name.
 
 use glam::Vec3;
 
@@ -8,16 +8,16 @@ use crate::geom::slabs::{Directed, Plain, TwoSided};
 use crate::geom::{Kernel, Slabs};
 use crate::name::named;
 
-/// How exact an answer is to be.
+/// Levels of accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Accuracy {
-    /// The fastest tests in single precision: nothing is promised.
+    /// The fastest tests in single precision, without guarantees.
     Fast,
-    /// The test of Woop et al.: watertight as far as anyone has seen; primitive and distance are those of rounding.
+    /// The test of Woop et al.: no known leaks; primitive and distance are subject to rounding.
     Watertight,
-    /// Double precision: mostly right to the last bit, with rare leaks at edges.
+    /// Double precision: mostly correct to the last bit, with rare leaks at edges.
     Precise,
-    /// The answer of rational arithmetic, distance and weights rounded to the nearest floats. `[EXACT-1]`
+    /// The answer of rational arithmetic, with distance and weights rounded to the nearest floats. `[EXACT-1]`
     #[default]
     Exact,
 }
@@ -26,7 +26,7 @@ impl Accuracy {
     /// All levels, the least exact first.
     pub const ALL: [Self; 4] = [Self::Fast, Self::Watertight, Self::Precise, Self::Exact];
 
-    /// The name on the command line and in tables.
+    /// Returns the name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fast => "fast",
@@ -36,7 +36,7 @@ impl Accuracy {
         }
     }
 
-    /// The tests that it stands for.
+    /// Returns its tests.
     pub const fn tests(self) -> (KernelName, SlabsName) {
         match self {
             Self::Fast => (KernelName::Affine, SlabsName::Plain),
@@ -66,7 +66,7 @@ impl KernelName {
     pub const ALL: [Self; 6] =
         [Self::Affine, Self::Moller32, Self::Woop, Self::Moller64, Self::ExactFromSingle, Self::Exact];
 
-    /// The name on the command line and in tables.
+    /// Returns the name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Affine => "affine",
@@ -94,7 +94,7 @@ impl SlabsName {
     /// All box tests of single-precision rays.
     pub const ALL: [Self; 3] = [Self::Plain, Self::TwoSided, Self::Directed];
 
-    /// The name on the command line and in tables.
+    /// Returns the name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
@@ -106,18 +106,18 @@ impl SlabsName {
 
 named!(SlabsName);
 
-/// Something to do with tests that are known only when the program runs.
+/// A generic function of tests that are selected at run time.
 pub trait WithTests {
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it with the triangle test `K` and the box test `B`.
+    /// Calls the function with the triangle test `K` and the box test `B`.
     fn call<K: Kernel<Vector = Vec3, Shape: KernelShape> + 'static, B: Slabs<Vector = Vec3> + 'static>(
         self,
     ) -> Self::Output;
 }
 
-/// [`with_tests`] for [`Accuracy::tests`], where what is done is not to be compiled for all pairs of tests.
+/// Calls [`with_tests`] for [`Accuracy::tests`]. This compiles the function only for the pairs of the levels.
 pub fn with_level<F: WithTests>(level: Accuracy, f: F) -> F::Output {
     match level {
         Accuracy::Fast => f.call::<Affine, Plain>(),
@@ -127,7 +127,7 @@ pub fn with_level<F: WithTests>(level: Accuracy, f: F) -> F::Output {
     }
 }
 
-/// Picks the types of the tests by their names.
+/// Calls a function with the types of the named tests.
 pub fn with_tests<F: WithTests>((kernel, slabs): (KernelName, SlabsName), f: F) -> F::Output {
     match kernel {
         KernelName::Affine => with_kernel::<Affine, F>(slabs, f),

@@ -1,4 +1,4 @@
-//! Ray queries over binary hierarchies, as functions.
+//! Ray queries over binary hierarchies.
 
 use std::borrow::Borrow;
 use std::cell::Cell;
@@ -19,15 +19,15 @@ use crate::geom::{Ball, Kernel, Mesh, Ray, Slabs, Triangle, Vector};
 use crate::traverse::{Method, Unsupported, WordName};
 use crate::tree::Node;
 
-/// Answers queries over a binary hierarchy by one of the traversals, with the triangle test `K` and the box test `B`.
-/// Where nothing of these matters, [`Tracer`](super::Tracer) is faster.
+/// Answers queries over a binary hierarchy with one of the traversals, the triangle test `K` and the box test `B`.
+/// [`Tracer`](super::Tracer) is faster, if none of these choices matters.
 ///
-/// The hierarchy is its own, borrowed or shared: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or whatever else borrows as one,
-/// always the same. A tracer can be stored, sent and shared by threads as `T` can.
+/// The tracer owns, borrows or shares the hierarchy: `T` is `Bvh`, `&Bvh`, `Arc<Bvh>`, or another type that always
+/// borrows as the same `Bvh`. A tracer can be stored, sent and shared by threads as `T` can.
 ///
-/// Its queries are those of [`RayQueries`] and [`MeshQueries`]. A traversal that does not fit the hierarchy is refused
-/// when the tracer is made; tracing is infallible. Exact tests, the default, give the same answers for all hierarchies
-/// and traversals. `[DET-1]`
+/// [`RayQueries`] and [`MeshQueries`] have the queries. Construction refuses a traversal that does not fit the
+/// hierarchy; tracing is infallible. Exact tests, the default, give identical answers for all hierarchies and
+/// traversals. `[DET-1]`
 ///
 /// ```
 /// use std::sync::Arc;
@@ -51,7 +51,7 @@ use crate::tree::Node;
 pub struct BinaryTracer<T = Bvh, K = Exact, B = Directed> {
     bvh: T,
     pub(super) level: Level,
-    /// What the plan says of hits.
+    /// The kind of hit that the plan requests.
     ask: QueryKind,
     with_weights: bool,
     watches: bool,
@@ -59,7 +59,7 @@ pub struct BinaryTracer<T = Bvh, K = Exact, B = Directed> {
 }
 
 impl BinaryTracer {
-    /// A tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
+    /// Builds a tracer that owns a hierarchy over a mesh, by [`Bvh::build`].
     ///
     /// # Errors
     /// [`BuildError`], for more than 2^31 triangles.
@@ -69,30 +69,31 @@ impl BinaryTracer {
 }
 
 impl<T: Borrow<Bvh>> BinaryTracer<T> {
-    /// A tracer by [`Method::default`], which runs on any hierarchy, with words as narrow as that allows.
+    /// Creates a tracer with [`Method::default`], which runs on any hierarchy, and the narrowest words that the
+    /// hierarchy allows.
     ///
-    /// It follows the links that a new hierarchy has. Where the records name [others](Bvh::with_links), they are in a
-    /// table beside it, and queries share a slower copy of the traversals; so it is with all traversals.
+    /// It follows the links of a new hierarchy. If the records have [other links](Bvh::with_links), a separate table
+    /// has the parents and siblings, and queries share a slower copy of the traversals. This holds for all traversals.
     pub fn new(bvh: T) -> Self {
         let plan = Plan::new(bvh.borrow(), Method::default(), QueryKind::Hit);
         let level = Level::unchecked(bvh.borrow(), &plan);
         Self::over(bvh, level, &plan)
     }
 
-    /// A tracer by any traversal, with tables and words as narrow as the hierarchy allows.
+    /// Creates a tracer with the given traversal, and the narrowest tables and words that the hierarchy allows.
     ///
     /// # Errors
-    /// [`Unsupported`] where the traversal is not for this hierarchy: `complete` on one that is not, `laine-*` on one that is
-    /// deeper than 126.
+    /// [`Unsupported`] if the traversal does not support this hierarchy: `complete` on a hierarchy that is not
+    /// complete, `laine-*` on one deeper than 126.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unsupported> {
         Self::with_tests(bvh, method)
     }
 
-    /// A tracer that has what a plan says. A plan that was made for another hierarchy may cost time or memory, or be
+    /// Creates a tracer with the properties of a plan. A plan for another hierarchy may cost time or memory, or be
     /// refused; it does not change an answer.
     ///
     /// # Errors
-    /// [`Unsupported`], also where the keys of the plan are too short for the hierarchy.
+    /// [`Unsupported`], also if the keys of the plan are too short for the hierarchy.
     pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unsupported> {
         let level = Level::new(bvh.borrow(), plan)?;
         Ok(Self::over(bvh, level, plan))
@@ -100,8 +101,8 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
 }
 
 impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTracer<T, K, B> {
-    /// [`with_method`](BinaryTracer::with_method) for other tests than the exact ones, or other shapes than triangles:
-    /// `BinaryTracer::<_, K, B>::with_tests(...)`.
+    /// Creates a tracer as [`with_method`](BinaryTracer::with_method), for inexact tests, or for shapes other than
+    /// triangles: `BinaryTracer::<_, K, B>::with_tests(...)`.
     ///
     /// # Errors
     /// As [`with_method`](BinaryTracer::with_method).
@@ -112,45 +113,45 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     }
 
     fn over(bvh: T, level: Level, plan: &Plan) -> Self {
-        // A triangle is reported once, whatever the plan was made for.
+        // A triangle is reported once, for every plan.
         let watches = !plan.skips(Part::Repeats) || bvh.borrow().duplicates() > 0;
         Self { bvh, level, ask: plan.ask(), with_weights: !plan.skips(Part::Weights), watches, tests: PhantomData }
     }
 
-    /// The hierarchy.
+    /// Returns the hierarchy.
     pub fn bvh(&self) -> &Bvh<K::Shape> {
         self.bvh.borrow()
     }
 
-    /// The traversal.
+    /// Returns the traversal.
     pub fn method(&self) -> Method {
         self.level.method
     }
 
-    /// The word of its keys.
+    /// Returns the word of its keys.
     pub fn word(&self) -> WordName {
         self.level.word
     }
 
-    /// Memory of its tables, in bytes, besides the hierarchy.
+    /// Returns the memory of its tables in bytes, without the hierarchy.
     pub fn bytes(&self) -> usize {
         self.level.bytes()
     }
 
-    /// Triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
+    /// Returns triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
         self.search_closest(ray, NodeSearch::found)
     }
 
-    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
+    /// Computes the [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`. If the
+    /// lengths differ, the shorter slice determines the number of rays.
     pub fn closest_distances(&self, rays: &[Ray<K::Vector>], found: &mut [Option<(u32, Real<K>)>]) {
         for (ray, found) in rays.iter().zip(found) {
             *found = self.closest_distance(ray);
         }
     }
 
-    /// What the [`Plan`] asks for, of each ray, on this thread: of any hit or of the closest one, and no more of it
-    /// than the plan wants.
+    /// Returns the parts of each ray's hit that the [`Plan`] requests, on this thread: for any hit or the closest hit.
     pub fn partial_hits_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<PartialHit<Real<K>>>> {
         let whole = |hit: Hit<_>| PartialHit { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
         let asked = |ray| match (self.ask, self.with_weights) {
@@ -168,8 +169,8 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         rays.iter().map(asked).collect()
     }
 
-    /// What is asked of a closest-hit query that has run to its end. (A query that is returned is so large that it is not
-    /// inlined in loops over rays, which then take a third longer for rays that miss all.)
+    /// Extracts the answer of a completed closest-hit query. (A returned query is so large that it is not inlined in
+    /// loops over rays. Such loops take a third longer if all rays miss.)
     #[inline]
     fn search_closest<'a, A>(
         &'a self,
@@ -181,7 +182,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         answer(&search)
     }
 
-    /// The same of an any-hit query.
+    /// Extracts the answer of a completed any-hit query.
     #[inline]
     fn search_any<'a, A>(
         &'a self,

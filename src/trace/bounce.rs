@@ -1,4 +1,4 @@
-//! Rays from where others hit.
+//! Secondary rays from hits.
 
 use glam::Vec3;
 
@@ -8,8 +8,8 @@ use crate::generate::Rng;
 use crate::geom::{Mesh, Ray};
 use crate::traverse::{Stack, traverse};
 
-/// For each ray that hits, one from just before its hit in a random direction away from the surface: what a diffuse
-/// reflection sends out. `bvh` must be over `mesh`.
+/// Returns for each ray that hits a ray from just before its hit, in a random direction away from the surface: a
+/// diffuse reflection. `bvh` must be over `mesh`.
 pub fn bounce(mesh: &Mesh, bvh: &Bvh, rays: &[Ray], seed: u64) -> Vec<Ray> {
     let mut memory = Vec::new();
     let hits = rays.iter().map(|ray| {
@@ -20,13 +20,13 @@ pub fn bounce(mesh: &Mesh, bvh: &Bvh, rays: &[Ray], seed: u64) -> Vec<Ray> {
     reflect_each(mesh, rays, hits, seed)
 }
 
-/// The rays of [`bounce`] from the closest hits of rays that were traced before.
+/// Returns the rays of [`bounce`] for given closest hits.
 pub fn reflect_each(mesh: &Mesh, rays: &[Ray], hits: impl IntoIterator<Item = Option<Hit>>, seed: u64) -> Vec<Ray> {
     let mut rng = Rng::new(seed);
     rays.iter().zip(hits).filter_map(|(ray, hit)| reflect(mesh, ray, &hit?, &mut rng)).collect()
 }
 
-/// The ray of [`bounce`] from a hit of one ray; `None` where the triangle is too small to have a normal.
+/// Returns the ray of [`bounce`] from a hit of one ray; `None` if the triangle is too small to have a normal.
 pub fn reflect(mesh: &Mesh, ray: &Ray, hit: &Hit, rng: &mut Rng) -> Option<Ray> {
     let [a, b, c] = mesh.triangle(hit.prim as usize);
     let normal = (b - a).cross(c - a).try_normalize()?;
@@ -37,7 +37,7 @@ pub fn reflect(mesh: &Mesh, ray: &Ray, hit: &Hit, rng: &mut Rng) -> Option<Ray> 
     Ray::new(origin, direction).ok()
 }
 
-/// A ray from its origin up to this length, not in lengths of its direction; `None` if that is not a number.
+/// Returns a ray from its origin up to this length, in world units; `None` if that is not a number.
 pub fn cut(ray: &Ray, length: f32) -> Option<Ray> {
     let tmax = length / ray.direction().length();
     Ray::within(ray.origin(), ray.direction(), 0.0, tmax).ok()

@@ -1,18 +1,18 @@
-//! The boundary of a mesh: where its surface ends.
+//! The boundary of a mesh, which is the set of open edges.
 //!
 //! # Idea
 //!
-//! The edges of all faces, each with the number of faces that run through it, are a chain. A surface is closed if the
-//! chain covers each point of each edge an even number of times, wherever the vertices are: a vertex may lie in the
+//! The edges of all faces, each with the number of faces that share it, are a chain. A surface is closed if the chain
+//! covers each point of each edge an even number of times, for every position of the vertices: a vertex may lie in the
 //! middle of a neighbour's edge (a T-junction). On one line, a bounded chain covers every point an even number of times
-//! exactly if every point is the end of an even number of its edges. So it is enough to look at each vertex, and to
+//! if and only if every point is the end of an even number of its edges. So it suffices to visit each vertex, and to
 //! sort the edges that end there by their lines. The same holds with signs: a surface is oriented if the edges cover
 //! every point equally often in both directions. `[CLOSED-1]`
 //!
 //! # Cost
 //!
-//! Two sorts, of vertices by coordinates and of edges by ends. Lines are compared only for edges that an odd number of
-//! faces share, exactly.
+//! Two sorts, of vertices by coordinates and of edges by ends. Lines are compared, exactly, only for edges that an odd
+//! number of faces share.
 
 mod border_tree;
 
@@ -25,14 +25,14 @@ use crate::geom::{Mesh, Vector, order_of_lines};
 use crate::threads;
 use border_tree::BorderTree;
 
-/// What the edges of a mesh say about its surface. Vertices of equal coordinates are one.
+/// Topology of the edges of a mesh. Vertices of equal coordinates are one vertex.
 ///
 /// ```
 /// use glam::Vec3;
 /// use stackless_bvh::geom::Mesh;
 /// use stackless_bvh::trace::Boundary;
 ///
-/// // A tetrahedron, of which one face is cut in two at a vertex in the middle of an edge.
+/// // A tetrahedron. A vertex in the middle of an edge divides one face.
 /// let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X * 0.5];
 /// let cut = Mesh::new(corners.clone(), vec![[0, 2, 4], [4, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
 /// assert!(Boundary::of(&cut).is_closed() && Boundary::of(&cut).is_oriented());
@@ -49,13 +49,13 @@ pub struct Boundary {
     pub unpaired: usize,
     /// Faces with the vertices of an earlier face.
     pub repeated: usize,
-    /// An open edge of the first face that has one.
+    /// An open edge of the first face with one.
     pub first: Option<OpenEdge>,
-    /// The edges that more faces run through in one direction than in the other; none if the mesh is oriented.
+    /// The edges that more faces traverse in one direction than in the other; none if the mesh is oriented.
     pub borders: Vec<Border>,
     /// The least and the greatest coordinates of all corners of faces; infinite if there are no faces.
     pub bounds: [DVec3; 2],
-    /// Made of the borders when it is first asked for.
+    /// Built on first use.
     tree: OnceLock<BorderTree>,
 }
 
@@ -64,7 +64,7 @@ pub struct Boundary {
 pub struct Border {
     /// The vertices, in the direction of the faces.
     pub ends: [u32; 2],
-    /// How many more faces run through it in this direction than in the other, at least 1.
+    /// Number of faces in this direction less the number in the other, at least 1.
     pub faces: u32,
 }
 
@@ -75,12 +75,12 @@ pub struct OpenEdge {
     pub face: usize,
     /// The vertices, in the direction of the face.
     pub ends: [u32; 2],
-    /// How many faces run through these two vertices.
+    /// Number of faces with these two vertices.
     pub faces: u32,
 }
 
 impl Boundary {
-    /// Looks at all edges of all faces, those of faces without an area included.
+    /// Examines all edges of all faces, including faces without an area.
     pub fn of<V: Vector>(mesh: &Mesh<V>) -> Self {
         let welded = welded(mesh.vertices());
         let mut edges: Vec<_> = directed(mesh.triangles(), &welded).collect();
@@ -90,7 +90,7 @@ impl Boundary {
         let odd = uneven(mesh, &odd.collect::<Vec<_>>(), |_| [1, 1], |sum| sum % 2 == 0);
         let one_sided: Vec<_> = shares.filter(|share| share.net != 0).collect();
         let unpaired = uneven(mesh, &one_sided, |share| [-share.net, share.net], |sum| sum == 0).len();
-        // Where others on their line make up for all of them, there is no border.
+        // If other edges on their line compensate all of them, there is no border.
         let borders = if unpaired > 0 { one_sided.iter().map(Share::border).collect() } else { Vec::new() };
         let first = first(mesh.triangles(), &welded, &odd);
         let corners = mesh.triangles().iter().flatten().map(|&corner| mesh.vertices()[corner as usize].widen());
@@ -99,8 +99,8 @@ impl Boundary {
         Self { open: odd.len(), unpaired, repeated, first, borders, bounds, tree: OnceLock::new() }
     }
 
-    /// The borders as a hierarchy. The vertices must be those of the mesh. No thread waits for one that makes it, which a
-    /// process that was forked meanwhile does not have.
+    /// Returns the hierarchy of the borders. The vertices must be those of the mesh. No thread waits for another thread to
+    /// build it: after a fork, the child does not have that thread.
     pub(super) fn tree<V: Vector>(&self, vertices: &[V]) -> &BorderTree {
         self.tree.get().unwrap_or_else(|| {
             let tree = BorderTree::new(&self.borders, |vertex| vertices[vertex as usize].widen());
@@ -108,13 +108,13 @@ impl Boundary {
         })
     }
 
-    /// Whether the surface has no end: it has an inside by parity.
+    /// Returns whether the surface is closed: parity then defines an inside.
     pub const fn is_closed(&self) -> bool {
         self.open == 0
     }
 
-    /// Finds the shortest path along an axis from a point out of the bounds: its length and its direction. The length is
-    /// negative outside.
+    /// Finds the shortest path along an axis from a point to the outside of the bounds: its length and its direction.
+    /// The length is negative outside.
     pub(super) fn exit(&self, point: DVec3) -> (f64, [i8; 3]) {
         let [lo, hi] = self.bounds;
         let lengths = [hi - point, point - lo].map(|lengths| lengths.to_array()).into_iter().flatten();
@@ -122,7 +122,8 @@ impl Boundary {
         exits.reduce(|least, exit| if exit.0 < least.0 { exit } else { least }).unwrap_or((-1.0, [1, 0, 0]))
     }
 
-    /// Whether the faces run through every edge equally often in both directions: the winding number is an integer.
+    /// Returns whether the faces traverse every edge equally often in both directions: the winding number is an
+    /// integer.
     pub const fn is_oriented(&self) -> bool {
         self.unpaired == 0
     }
@@ -133,14 +134,14 @@ impl Boundary {
 struct Share {
     /// The lesser end times 2^31, and the greater end.
     edge: u64,
-    /// How many faces run through it.
+    /// Number of faces that share it.
     faces: u32,
-    /// How many of them do so from the lesser end to the greater one, less the others.
+    /// Number of faces that traverse it from the lesser end to the greater, less the number in the other direction.
     net: i32,
 }
 
 impl Share {
-    /// Of edges of faces that have the same ends.
+    /// Combines edges of faces with the same ends.
     fn of(edges: &[u64]) -> Self {
         let backward = edges.iter().filter(|&edge| edge & 1 == 1).count();
         Self { edge: edges[0] >> 1, faces: edges.len() as u32, net: edges.len() as i32 - 2 * backward as i32 }
@@ -157,11 +158,11 @@ impl Share {
     }
 }
 
-/// An end of an edge: the vertex, the other one, what the edge adds there, and its index.
+/// An end of an edge: the vertex, the other vertex, the contribution of the edge there, and its index.
 type End = (u32, u32, i32, u32);
 
-/// The edges with an end at which what the edges of their line add is not even. `weights` are those at the lesser end
-/// and at the greater one.
+/// Returns the edges with an end at which the contributions of the edges on their line are not even. `weights` are
+/// those at the lesser end and at the greater end.
 fn uneven<V: Vector>(
     mesh: &Mesh<V>,
     shares: &[Share],
@@ -191,9 +192,9 @@ fn uneven<V: Vector>(
     shares.iter().zip(is_uneven).filter_map(|(&share, is_uneven)| is_uneven.then_some(share)).collect()
 }
 
-/// For each vertex, the first one of its coordinates.
+/// Returns for each vertex the first vertex of its coordinates.
 fn welded<V: Vector>(vertices: &[V]) -> Vec<u32> {
-    // Zeros of both signs are one number. Doubles hold single precision exactly.
+    // Zeros of both signs are one number. Doubles represent single precision exactly.
     let key = |v: &V| v.widen().to_array().map(|x| (x + 0.0).to_bits());
     let mut order: Vec<_> = vertices.iter().zip(0_u32..).map(|(v, i)| (key(v), i)).collect();
     threads::sort_by(&mut order, Ord::cmp);
@@ -206,12 +207,13 @@ fn welded<V: Vector>(vertices: &[V]) -> Vec<u32> {
     welded
 }
 
-/// Every edge of every face.
+/// Returns every edge of every face.
 fn directed(faces: &[[u32; 3]], welded: &[u32]) -> impl Iterator<Item = u64> {
     faces.iter().flat_map(|&face| ends(face)).filter_map(|ends| packed(ends, welded))
 }
 
-/// The lesser end, the greater end and the direction: 31 bits, 31 and one. An edge of one point is none.
+/// Packs the lesser end, the greater end and the direction into 31 bits, 31 bits and one bit. `None` if the ends are
+/// one point.
 fn packed(ends: [u32; 2], welded: &[u32]) -> Option<u64> {
     let [from, to] = ends.map(|vertex| u64::from(welded[vertex as usize]));
     (from != to).then(|| from.min(to) << 32 | from.max(to) << 1 | u64::from(to < from))
@@ -221,7 +223,7 @@ fn ends([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// An open edge of the first face that has one.
+/// Returns an open edge of the first face with one.
 fn first(faces: &[[u32; 3]], welded: &[u32], open: &[Share]) -> Option<OpenEdge> {
     if open.is_empty() {
         return None;
@@ -236,7 +238,7 @@ fn first(faces: &[[u32; 3]], welded: &[u32], open: &[Share]) -> Option<OpenEdge>
     })
 }
 
-/// How many faces have the vertices of an earlier one, in any order.
+/// Counts the faces with the vertices of an earlier face, in any order.
 fn repeated(faces: &[[u32; 3]], welded: &[u32]) -> usize {
     let mut sorted: Vec<_> = faces.iter().map(|face| face.map(|vertex| welded[vertex as usize])).collect();
     for face in &mut sorted {

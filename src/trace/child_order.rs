@@ -1,26 +1,27 @@
-//! Which of two children that a ray meets comes first (Binder & Keller 2016, Section 2).
+//! Orders of two children that a ray meets (Binder & Keller 2016, Section 2).
 //!
-//! The order decides how soon a search ends, never what it answers; but for one case of [`FromLeft`].
+//! The order determines how early a search ends, never its answer, with one exception: see [`FromLeft`].
 
 use std::fmt::Debug;
 
 /// A preference at an inner node.
 pub trait ChildOrder: Copy + Debug {
-    /// Whether the right child comes first, if the ray meets both. `nears` are the distances at which it enters them.
+    /// Returns whether the right child comes first, if the ray meets both children. `nears` are the distances at which
+    /// it enters them.
     fn prefers_right<R: PartialOrd>(nears: [R; 2]) -> bool;
 
     /// Whether it is the order along the ray.
     const IS_BY_DISTANCE: bool;
 }
 
-/// The child that the ray enters first; the left one of equals.
+/// The child that the ray enters first; the left child of equal distances.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest;
 
-/// The left child, which in a new [`Bvh`](crate::bvh::Bvh) is the one of the larger surface: it holds more to be hit.
-/// For any-hit queries, and faster than it looks: the processor always knows which node comes next. The closest hit it may
-/// miss by [`Laine`](crate::traverse::Laine) over triangles in parts: their hits may lie before the box of their leaf, so
-/// that a first child is dropped before the second has been visited. `[LAINE-1]`
+/// The left child, which in a new [`Bvh`](crate::bvh::Bvh) has the larger surface: it contains more hits. For any-hit
+/// queries. It is fast because the processor always knows the next node. With [`Laine`](crate::traverse::Laine) over
+/// triangles in parts, it may miss the closest hit: a hit may lie before the box of its leaf, so that a first child is
+/// dropped before the second has been visited. `[LAINE-1]`
 #[derive(Clone, Copy, Debug)]
 pub struct FromLeft;
 

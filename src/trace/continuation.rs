@@ -1,4 +1,4 @@
-//! Paths: rays that start where others have hit, and are traced on from there.
+//! Paths: rays that start at hits, and traversals that start at their leaves.
 
 use std::borrow::Borrow;
 
@@ -14,20 +14,19 @@ use crate::traverse::{
 };
 use crate::tree::{Keys, Node, Topology};
 
-/// Where a path is: the leaf of its last hit.
+/// A position of a path in the hierarchy: the leaf of its last hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Place(Node);
 
-/// Queries that begin in a leaf, at the place of a path's last hit, and not at the root: the leaf first, then what is
-/// beside it, then what is beside its parent, and so on upwards (Binder & Keller 2016, Section 2.4 and Fig. 8).
-/// `[PAUSE-7]`
+/// Queries that start in the leaf of a path's last hit instead of at the root. They visit the leaf, then its sibling,
+/// then its parent's sibling, and so on upwards (Binder & Keller 2016, Section 2.4 and Fig. 8). `[PAUSE-7]`
 ///
-/// Where a ray begins in the hierarchy changes what it costs, never what it hits: the answers are those of the tracer,
-/// for any place. Close hits are found sooner, and keep what is far away from being looked at.
+/// The start in the hierarchy changes the cost of a ray, never its hits: the answers are those of the tracer, for any
+/// place. The queries find close hits earlier, which prune distant nodes.
 ///
-/// The traversal has nothing but the key of the leaf, as the decisions that led there were another ray's: so each
-/// sibling on the way up is visited, and its own box tested then. Addresses of leaf and sibling are found by a walk
-/// along the key, which tests no boxes.
+/// The traversal has only the key of the leaf, because the decisions on the path to it were those of another ray. So it
+/// visits each sibling on the way up, and tests the sibling's own box there. A walk along the key, which tests no
+/// boxes, finds the addresses of leaf and sibling.
 ///
 /// ```
 /// use glam::Vec3;
@@ -52,15 +51,15 @@ pub struct Place(Node);
 pub struct Continuation<'t, T, K, B> {
     tracer: &'t BinaryTracer<T, K, B>,
     keys: Keys,
-    /// Of each node.
+    /// The box of each node.
     boxes: Vec<Aabb>,
 }
 
 impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Continuation<'t, T, K, B> {
-    /// Makes tables of the keys and boxes of all nodes.
+    /// Builds tables of the keys and boxes of all nodes.
     ///
     /// # Errors
-    /// [`Unsupported::NoPause`] where the tracer's traversal cannot begin but at the root.
+    /// [`Unsupported::NoPause`] if the tracer's traversal can only start at the root.
     pub fn new(tracer: &'t BinaryTracer<T, K, B>) -> Result<Self, Unsupported> {
         if !tracer.method().can_pause() {
             return Err(Unsupported::NoPause);
@@ -69,26 +68,26 @@ impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Cont
         Ok(Self { tracer, keys: Keys::of(bvh), boxes: bvh.own_boxes() })
     }
 
-    /// The closest hit, and its place. The first ray of a path comes from nowhere.
+    /// Finds the closest hit, and its place. The first ray of a path has no place.
     pub fn closest(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Option<(Hit<Real<K>>, Place)> {
         let mut search = NodeSearch::<K, B, false>::new(self.tracer.bvh(), &self.boxes, ray);
         self.run(from, &mut search);
         Some((search.hit()?, Place(search.query.hit_leaf()?)))
     }
 
-    /// Whether there is any hit.
+    /// Returns whether there is any hit.
     pub fn any(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> bool {
         let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.tracer.bvh(), &self.boxes, ray);
         self.run(from, &mut search);
         search.found().is_some()
     }
 
-    /// What [`closest`](Self::closest) costs, counted, without backtracks.
+    /// Counts the cost of [`closest`](Self::closest), without backtracks.
     pub fn count_closest(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
         self.count::<false, Nearest>(ray, from)
     }
 
-    /// What [`any`](Self::any) costs, counted, without backtracks.
+    /// Counts the cost of [`any`](Self::any), without backtracks.
     pub fn count_any(&self, ray: &Ray<K::Vector>, from: Option<Place>) -> Counters {
         self.count::<true, FromLeft>(ray, from)
     }
@@ -100,10 +99,10 @@ impl<'t, T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Cont
         Counters { boxes: counters.boxes + tests, inner: counters.inner + missed, ..counters }
     }
 
-    /// Returns how many siblings were tested, and how many of those were inner nodes and missed.
+    /// Returns the number of tested siblings, and the number of missed inner nodes among them.
     fn run(&self, from: Option<Place>, query: &mut dyn Seeking) -> [u64; 2] {
         let bvh = self.tracer.bvh();
-        // A place of another hierarchy is no place in this one: then from the last leaf.
+        // A place of another hierarchy is invalid in this one: it starts from the last leaf.
         let last = bvh.leaves().len() as u32 - 1;
         let from = from.map(|Place(leaf)| Node::leaf((leaf.index() as u32).min(last)));
         let next = from.unwrap_or(bvh.root());
@@ -120,20 +119,20 @@ impl<T, K, B> std::fmt::Debug for Continuation<'_, T, K, B> {
     }
 }
 
-/// What runs from below: one type for all queries.
+/// A query that starts at a leaf: one type for all queries.
 trait Seeking: BoxQuery + Repeatable {}
 
 impl<Q: BoxQuery + Repeatable> Seeking for Q {}
 
-/// A query that tests a node's own box where no descent has done so: at the siblings on the way up.
+/// A query that tests a node's box if no descent has tested it: at the siblings on the way up.
 struct Upwards<'q, S> {
     query: &'q mut dyn Seeking,
     bvh: &'q Bvh<S>,
     boxes: &'q [Aabb],
-    /// The node that is visited next, unless the search turns back.
+    /// The next node, unless the traversal backtracks.
     next: Node,
-    /// How many nodes descents have postponed: they come before what is further up. (Where some are left out again, a
-    /// sibling may be taken for one of them, and not be tested.)
+    /// Number of nodes that descents have postponed: they come before the nodes further up. (If some of them are
+    /// pruned, a sibling may be mistaken for one of them, and not be tested.)
     postponed: u32,
     tests: u64,
     /// Inner nodes that were tested and missed.
@@ -214,7 +213,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> WithWord
     }
 }
 
-/// From a node, or from the root.
+/// A run from a node, or from the root.
 struct Run<'q, W, Q> {
     from: Option<KeyOnly<W>>,
     query: &'q mut Q,
@@ -268,7 +267,7 @@ mod tests {
                     }
                     let Some((hit, place)) = continuation.closest(ray, None) else { continue };
                     assert!(bvh.leaf_triangles(place.0).iter().any(|held| held.prim == hit.prim));
-                    // The same ray again begins where it ends.
+                    // The same ray starts in the leaf of its hit.
                     let [root, leaf] = [None, Some(place)].map(|from| continuation.count_any(ray, from).inner as i64);
                     cheaper += root - leaf;
                 }

@@ -1,4 +1,4 @@
-//! What queries cost, in things that can be counted.
+//! Counted costs of queries.
 
 use std::borrow::Borrow;
 
@@ -13,7 +13,8 @@ use crate::tree::{Node, Reach};
 use super::ray_queries::CHUNK;
 use super::{BinaryTracer, BoxQuery, ChildOrder, FromLeft, Nearest, NodeSearch};
 
-/// Counts over many rays. Queries that nobody counts pay nothing: these run in a copy of their own.
+/// Counts over many rays. They cost nothing for other queries: counting queries run in a separate copy of the
+/// traversals.
 #[derive(Clone, Debug)]
 pub struct Counters {
     /// Rays.
@@ -26,12 +27,12 @@ pub struct Counters {
     pub boxes: u64,
     /// Triangle tests.
     pub triangles: u64,
-    /// Of the triangle tests, those that error bounds for the whole scene leave open, whether a filter rejects them before
-    /// or not.
+    /// Triangle tests that the error bounds for the whole scene leave undecided, whether or not a filter rejects the
+    /// triangles before.
     pub fallbacks: u64,
-    /// Of those, the ones that took exact sums.
+    /// Undecided tests that needed exact sums.
     pub sums: u64,
-    /// Backtracks by distance and by where the address would come from, if the traversal carries key and trail.
+    /// Backtracks by distance and by the source of the address, if the traversal has key and trail.
     pub backtracks: Backtracks,
 }
 
@@ -40,8 +41,8 @@ pub struct Counters {
 pub struct WideCounters {
     /// Rays.
     pub rays: u64,
-    /// How often the boxes of an inner node were tested, all at once. Some traversals test those of a node again when
-    /// they come back to it.
+    /// Number of inner nodes whose boxes were tested, all boxes of a node at once. Some traversals test them again when
+    /// they return to a node.
     pub nodes: u64,
     /// Visits of leaves.
     pub leaves: u64,
@@ -57,7 +58,7 @@ impl Default for Counters {
 }
 
 impl Counters {
-    /// The sums of both.
+    /// Returns the sums of the two counters.
     #[must_use]
     pub fn merge(self, other: &Self) -> Self {
         Self {
@@ -74,12 +75,12 @@ impl Counters {
 }
 
 impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTracer<T, K, B> {
-    /// What the closest hit of each ray costs, counted. Of no use for timing.
+    /// Counts the cost of each ray's closest hit. Not for timing.
     pub fn count_closest(&self, rays: &[Ray<K::Vector>]) -> Counters {
         self.count::<false, Nearest>(rays)
     }
 
-    /// What any hit of each ray costs, counted.
+    /// Counts the cost of each ray's any-hit query.
     pub fn count_any(&self, rays: &[Ray<K::Vector>]) -> Counters {
         self.count::<true, FromLeft>(rays)
     }
@@ -104,7 +105,7 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
 /// A search that counts.
 pub(super) struct Counting<'a, 'c, K: Kernel, B: Slabs<Vector = K::Vector>, const ANY: bool, O> {
     pub(super) search: NodeSearch<'a, K, B, ANY, O>,
-    /// For the stages, of triangles that a filter rejects too: so counts are the same on all machines.
+    /// Also for triangles that a filter rejects, to determine their stages: so counts are equal on all machines.
     kernel: K,
     counters: &'c mut Counters,
 }

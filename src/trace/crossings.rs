@@ -1,4 +1,4 @@
-//! Queries that look at everything along a ray: all hits, and the number of crossings.
+//! Queries of everything along a ray: all hits, and the number of crossings.
 
 use std::cmp::Ordering;
 use std::collections::HashSet;
@@ -35,14 +35,14 @@ pub type AllHits<'a> = AllHitsQuery<'a, Exact, Directed>;
 /// [`AllHits`] in double precision. `[EXACT-7]`
 pub type AllHits64<'a> = AllHitsQuery<'a, Exact64, Slabs64>;
 
-/// A ray on its way through a hierarchy `H` that collects all its hits, with the triangle test `K` and the box test
-/// `B`. It visits all boxes that the ray meets.
+/// The state of a ray that collects all its hits in a hierarchy `H`, with the triangle test `K` and the box test `B`.
+/// It visits all boxes that the ray meets.
 #[derive(Clone, Debug)]
 pub struct AllHitsQuery<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     pub(super) cast: PreparedRay<'a, K, B, H>,
     repeats: Repeats,
     distances: Once<K::Shape, Option<Real<K>>>,
-    /// Distance, triangle, and where that is in the hierarchy.
+    /// Distance, triangle, and its place in the hierarchy.
     found: Vec<(Real<K>, u32, usize)>,
 }
 
@@ -52,12 +52,12 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> AllHitsQuery<'a, K, B> {
         Self::watching(bvh, ray, bvh.duplicates() > 0)
     }
 
-    /// A query that watches for triangles that it has met, or does not, which must be none then.
+    /// Prepares a query that reports repeated triangles once. Without `watch`, no triangle may be in several leaves.
     pub(super) fn watching(bvh: &'a Bvh<K::Shape>, ray: &Ray<K::Vector>, watches: bool) -> Self {
         Self::over(PreparedRay::new(bvh, ray), watches)
     }
 
-    /// Whether it watches for triangles that it has met.
+    /// Returns whether it detects repeated triangles.
     #[cfg(test)]
     pub(super) fn watches(&self) -> bool {
         self.repeats.0.is_some()
@@ -69,7 +69,7 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> AllHitsQuery<'a, K, B, H> {
         Self { cast, repeats: Repeats::new(watches), distances: Once::NEVER, found: Vec::new() }
     }
 
-    /// All hits, after the traversal, in the order of exact distance and then of primitive.
+    /// Returns all hits, after the traversal, in the order of exact distance and then of primitive.
     pub fn into_hits(self) -> Vec<Hit<Real<K>>> {
         let (PreparedRay { bvh, kernel, .. }, mut found) = (self.cast, self.found);
         // No distance is a NaN.
@@ -154,9 +154,9 @@ pub struct Crossings<'a, K: Parity = Exact, B = Directed, H = Bvh<<K as Kernel>:
     pub(super) cast: PreparedRay<'a, K, B, H>,
     repeats: Repeats,
     count: u32,
-    /// The sum of senses, if it is wanted.
+    /// The sum of senses, if requested.
     winding: Option<i32>,
-    /// The origin, as long as no triangle is known that it is on, if that is asked.
+    /// The watched origin, until a triangle contains it.
     off_surface: Option<K::Vector>,
 }
 
@@ -173,33 +173,34 @@ impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
         Self { cast, repeats, count: 0, winding: None, off_surface: None }
     }
 
-    /// The same with signs, for [`winding`](Self::winding), or without.
+    /// Prepares the query with signs, for [`winding`](Self::winding), or without.
     pub(super) fn with_signs(self, signed: bool) -> Self {
         Self { winding: signed.then_some(0), ..self }
     }
 
-    /// The same for a ray from a point that may be on a triangle.
+    /// Prepares the query for a ray from a point that may be on a triangle.
     pub(super) fn watching(self, origin: K::Vector) -> Self {
         Self { off_surface: Some(origin), ..self }
     }
 
-    /// The sum of signs if it is wanted, else the count; unless the origin that was watched is on a triangle that has an area.
+    /// Returns the sum of signs if requested, otherwise the count. `None` if the watched origin is on a triangle with an
+    /// area.
     pub(super) fn off_surface(&self) -> Option<i32> {
         self.off_surface.map(|_| self.winding.unwrap_or(self.count as i32))
     }
 
-    /// How often the ray leaves the solid, less how often it enters: the winding number of its origin, if the mesh is
-    /// closed and oriented, the ray has no end, and its origin is not on the mesh. `[PARITY-1]`
+    /// Returns how often the ray leaves the solid, less how often it enters. This is the winding number of its origin,
+    /// if the mesh is closed and oriented, the ray has no end, and its origin is not on the mesh. `[PARITY-1]`
     pub(super) fn winding(&self) -> i32 {
         self.winding.unwrap_or(0)
     }
 
-    /// How many triangles are crossed, after the traversal.
+    /// Returns the number of crossed triangles, after the traversal.
     pub const fn count(&self) -> u32 {
         self.count
     }
 
-    /// Whether that is an odd number.
+    /// Returns whether that number is odd.
     pub const fn is_odd(&self) -> bool {
         self.count() % 2 == 1
     }
@@ -252,12 +253,12 @@ impl<K: Parity, B: Slabs<Vector = K::Vector>> BoxQuery for Crossings<'_, K, B> {
     }
 }
 
-/// Whether a point is on a triangle that has an area. The plane of that is not parallel to all axes, so a ray of length 0
-/// along one of them hits it.
+/// Returns whether a point is on a triangle with an area. The triangle's plane is not parallel to all axes, so a ray of
+/// length 0 along one of them hits it.
 #[inline]
 fn is_on<K: Parity>(point: K::Vector, triangle: &K::Shape, region: &Region) -> bool {
     let ([a, b, c], p) = (triangle.widen(), point.widen());
-    // Few are so near.
+    // Few triangles are this near.
     a.min(b).min(c).cmple(p).all() && p.cmple(a.max(b).max(c)).all() && touches::<K>(point, triangle, region)
 }
 
@@ -268,7 +269,7 @@ fn touches<K: Parity>(point: K::Vector, triangle: &K::Shape, region: &Region) ->
     rays.iter().flatten().any(|ray| K::new(ray, region).blocks(triangle))
 }
 
-/// The triangles that were met so far, where a triangle may be in several leaves.
+/// The triangles that were met so far, if a triangle may be in several leaves.
 #[derive(Clone, Debug)]
 struct Repeats(Option<HashSet<u32>>);
 
@@ -277,7 +278,7 @@ impl Repeats {
         Self(watches.then(HashSet::new))
     }
 
-    /// Whether a triangle is met for the first time.
+    /// Returns whether a triangle is met for the first time.
     #[inline]
     fn is_new(&mut self, prim: u32) -> bool {
         self.0.as_mut().is_none_or(|met| met.insert(prim))

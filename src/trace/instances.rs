@@ -1,17 +1,17 @@
-//! Objects that are placed many times, by affine maps, in groups that may be placed in turn.
+//! Objects that are placed by affine maps, repeatedly, in groups that may be placed themselves.
 //!
-//! The hierarchy of a group is over the boxes of its instances. At a leaf of it, the ray and the state of its traversal
-//! wait, and a traversal of the instance's object starts with the ray in the object's space, and with the best hit so
-//! far. When it ends, the one that waits goes on (Binder & Keller 2016, Section 2.4). Groups have binary hierarchies,
-//! meshes binary or wide ones.
+//! The hierarchy of a group is over the boxes of its instances. At one of its leaves, the ray and the state of its
+//! traversal wait. A traversal of the instance's object starts, with the ray in the object's space and the best hit so
+//! far. When it ends, the waiting traversal resumes (Binder & Keller 2016, Section 2.4). Groups have binary
+//! hierarchies, meshes binary or wide hierarchies.
 //!
-//! # What is exact
+//! # Exactness
 //!
-//! The answers are those of rational arithmetic on the exact images of the triangles under the maps as they are
-//! written, and the ray as it is given. `[INST-1]` Distances along a ray are the same in every space, so nothing is
-//! transformed back. In an object's space the ray is known within bounds only; where they decide, no more is asked.
-//! Else images of the triangle's corners are made, with twice the digits of a double. Where these leave it open too,
-//! exact ones are made, which takes some thousand times as long. `[INST-5]`
+//! The answers are those of rational arithmetic on the exact images of the triangles under the given maps, and the
+//! given ray. `[INST-1]` Distances along a ray are the same in every space, so nothing is transformed back. In an
+//! object's space the ray is known only within bounds, which decide most tests. Otherwise the triangle's corners are
+//! transformed with twice the digits of a double. If these do not decide either, they are transformed exactly, which
+//! takes about a thousand times as long. `[INST-5]`
 
 mod assembly;
 mod walk;
@@ -61,80 +61,80 @@ use wide_walk::{WideLevel, WideObject};
 /// ```
 pub struct InstanceTracer<V: Vector = Vec3> {
     root: Object,
-    /// Of the objects up to the root, by index; `None` for those that are not in it.
+    /// By index, the objects up to the root; `None` for those that are not part of it.
     stages: Vec<Option<Stage<V>>>,
 }
 
-/// Where a ray meets a triangle of an instance.
+/// The intersection of a ray and a triangle of an instance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InstanceHit<R = f32> {
-    /// The index of the instance in each group, from the outermost on. Empty if the object is a mesh.
+    /// The index of the instance in each group, outermost first. Empty if the object is a mesh.
     pub path: Vec<u32>,
     /// Index of the triangle in its mesh.
     pub prim: u32,
-    /// Distance along the ray, in lengths of its direction; the float nearest to the exact one.
+    /// Distance along the ray, in units of the length of its direction; the float nearest to the exact distance.
     pub t: R,
-    /// Weight of the triangle's second corner, likewise.
+    /// Weight of the triangle's second corner; the float nearest to the exact weight.
     pub u: R,
-    /// Weight of the triangle's third corner, likewise.
+    /// Weight of the triangle's third corner; the float nearest to the exact weight.
     pub v: R,
 }
 
-/// What rays met.
+/// Counts of instances and triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct InstanceCounts {
-    /// Instances that were entered.
+    /// Entered instances.
     pub instances: u64,
-    /// Triangles that were tested.
+    /// Tested triangles.
     pub triangles: u64,
-    /// Those of them that bounds left open, which took more digits.
+    /// Triangle tests that bounds left undecided, which needed more digits.
     pub open: u64,
-    /// Those of these that took rational arithmetic.
+    /// Undecided tests that needed rational arithmetic.
     pub rational: u64,
 }
 
-/// Why there is no tracer.
+/// Errors of the constructors of [`InstanceTracer`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InstanceError {
     /// The object is not one of the assembly.
     #[error("the assembly has no such object")]
     UnknownObject,
-    /// The traversal is not for the hierarchy of an object.
+    /// The traversal does not support the hierarchy of an object.
     #[error("object {object}: {unfit}")]
     Unsupported {
         /// Index of the object in the order in which objects were added.
         object: usize,
-        /// Why.
+        /// The cause.
         unfit: Unsupported,
     },
-    /// The traversal of wide trees is not for the hierarchy of an object.
+    /// The traversal of wide trees does not support the hierarchy of an object.
     #[error("object {object}: {unfit}")]
     UnsupportedWide {
         /// Index of the object in the order in which objects were added.
         object: usize,
-        /// Why.
+        /// The cause.
         unfit: wide::Unsupported,
     },
 }
 
 impl InstanceTracer {
-    /// Bytes of a ray as it waits: bounds of origin and direction in doubles.
+    /// Bytes of a waiting ray: bounds of origin and direction in doubles.
     pub const RAY_BYTES: usize = size_of::<EnclosedRay>();
 }
 
 impl<V: Vector> InstanceTracer<V> {
-    /// A tracer by one traversal on all levels, but in wide meshes by [`wide::Method::default`].
+    /// Creates a tracer with one traversal on all levels, except wide meshes, which use [`wide::Method::default`].
     ///
     /// # Errors
-    /// What [`InstanceError`] lists.
+    /// [`InstanceError`].
     pub fn new(assembly: &Assembly<V>, root: Object, method: Method) -> Result<Self, InstanceError> {
         Self::with_methods(assembly, root, method, method)
     }
 
-    /// A tracer by one traversal for groups and another for meshes.
+    /// Creates a tracer with one traversal for groups and another for meshes.
     ///
     /// # Errors
-    /// What [`InstanceError`] lists.
+    /// [`InstanceError`].
     pub fn with_methods(
         assembly: &Assembly<V>,
         root: Object,
@@ -143,7 +143,7 @@ impl<V: Vector> InstanceTracer<V> {
     ) -> Result<Self, InstanceError> {
         let mut stages = Vec::new();
         assembly.part(root).ok_or(InstanceError::UnknownObject)?;
-        // Objects come after those that they are made of.
+        // Objects come after their parts.
         let mut is_used = vec![false; root.index() + 1];
         is_used[root.index()] = true;
         for object in (0..=root.index()).rev() {
@@ -159,7 +159,7 @@ impl<V: Vector> InstanceTracer<V> {
         Ok(Self { root, stages })
     }
 
-    /// The same with another traversal for wide meshes.
+    /// Returns this tracer with another traversal for wide meshes.
     ///
     /// # Errors
     /// [`InstanceError::UnsupportedWide`].
@@ -172,8 +172,8 @@ impl<V: Vector> InstanceTracer<V> {
         Ok(self)
     }
 
-    /// The closest hit and the point of it, from which rays may go on: exactly there, without a distance that is added
-    /// for safety. `[SECOND-1]`
+    /// Finds the closest hit and its exact point, from which further rays may start, without a safety distance.
+    /// `[SECOND-1]`
     ///
     /// ```
     /// use stackless_bvh::bvh::Bvh;
@@ -186,7 +186,7 @@ impl<V: Vector> InstanceTracer<V> {
     /// let mut assembly = Assembly::new();
     /// let object = assembly.add_mesh(Bvh::build(&mesh)?);
     /// let tracer = InstanceTracer::new(&assembly, object, Method::default())?;
-    /// // A path of mirrored rays.
+    /// // A path of rays, each from the exact point of the previous hit.
     /// let mut ray = ExactRay::from(&procedural::rays(&mesh, 1, 1)[0]);
     /// for bounce in 0..20 {
     ///     let Some((_, point)) = tracer.closest_and_point(&ray) else { break };
@@ -208,7 +208,7 @@ impl<V: Vector> InstanceTracer<V> {
         self.hit(ray, self.search(ray, wanted).found.pop()?)
     }
 
-    /// The hit, with its weights.
+    /// Returns the hit, with its weights.
     fn hit(&self, ray: &ExactRay<V>, found: Found<V>) -> Option<InstanceHit<V::Real>> {
         let Found { t, path, prim, triangle, test } = found;
         let fine = || ray.fine_weights(&triangle, &self.maps(&path));
@@ -217,7 +217,7 @@ impl<V: Vector> InstanceTracer<V> {
         Some(InstanceHit { path, prim, t, u, v })
     }
 
-    /// What the closest hits of these rays cost.
+    /// Counts the cost of the closest hits of these rays.
     pub fn count_closest<'r, R>(&self, rays: &'r [R]) -> InstanceCounts
     where
         &'r R: Into<ExactRay<V>>,
@@ -225,7 +225,7 @@ impl<V: Vector> InstanceTracer<V> {
         self.count(rays, Wanted::Closest)
     }
 
-    /// What any hits of these rays cost.
+    /// Counts the cost of any-hit queries of these rays.
     pub fn count_any<'r, R>(&self, rays: &'r [R]) -> InstanceCounts
     where
         &'r R: Into<ExactRay<V>>,
@@ -247,9 +247,10 @@ impl<V: Vector> InstanceTracer<V> {
         })
     }
 
-    /// Bytes of the state of one ray: for each level that a ray can be in at once, those of the traversal's state, as
-    /// [`Method::state_bytes_in`] and [`wide::Method::state_bytes`] count them, and
-    /// [`RAY_BYTES`](InstanceTracer::RAY_BYTES). The deepest levels count. What is found so far is not in it.
+    /// Returns the bytes of the state of one ray. For each level that a ray can be in at once, this is the traversal's
+    /// state, by [`Method::state_bytes_in`] and [`wide::Method::state_bytes`], and
+    /// [`RAY_BYTES`](InstanceTracer::RAY_BYTES). The deepest levels count. The result does not include the hits found
+    /// so far.
     pub fn state_bytes(&self) -> usize {
         let mut bytes: Vec<usize> = Vec::new();
         for stage in &self.stages {
@@ -289,8 +290,8 @@ impl<V: Vector> InstanceTracer<V> {
         }
     }
 
-    /// A ray from afar, from where it enters the region of an object; `None` if it misses that. Where doubles do not
-    /// tell, the ray itself is asked. `[INST-7]`
+    /// Moves a distant ray to its entry into the region of an object; `None` if it misses the region. If doubles do not
+    /// decide, rational arithmetic on the ray itself does. `[INST-7]`
     #[cold]
     #[inline(never)]
     fn approach(&self, ray: &EnclosedRay, region: &Region, search: &Search<'_, V>) -> Option<EnclosedRay> {
@@ -305,7 +306,7 @@ impl<V: Vector> InstanceTracer<V> {
         self.stages.get(object.index())?.as_ref()
     }
 
-    /// The maps of the instances on a path, from the innermost on.
+    /// Returns the maps of the instances on a path, innermost first.
     fn maps(&self, path: &[u32]) -> Vec<AffineMap<V::Real>> {
         let (mut object, mut maps) = (self.root, Vec::new());
         for &index in path {
@@ -320,8 +321,8 @@ impl<V: Vector> InstanceTracer<V> {
     }
 }
 
-/// The closest hit has the least exact distance, of equal ones the least path, and of these the least triangle.
-/// `[INST-6]` A ray is a [`Ray`](crate::geom::Ray), or begins on a surface. `[SECOND-2]`
+/// The closest hit has the least exact distance, of equal distances the least path, and of equal paths the least
+/// triangle. `[INST-6]` A ray is a [`Ray`](crate::geom::Ray), or starts on a surface. `[SECOND-2]`
 impl<V: Vector, R: Sync> RayQueries<R> for InstanceTracer<V>
 where
     for<'r> &'r R: Into<ExactRay<V>>,
@@ -350,7 +351,7 @@ where
     }
 }
 
-/// An object, and what it takes to traverse it.
+/// An object, and the data to traverse it.
 #[derive(Debug)]
 enum Stage<V: Vector> {
     Mesh(Arc<Bvh<Triangle<V>>>, Level),
@@ -359,7 +360,7 @@ enum Stage<V: Vector> {
 }
 
 impl<V: Vector> Stage<V> {
-    /// What holds all that is in the object.
+    /// Returns a region that contains the whole object.
     fn region(&self) -> &Region {
         match self {
             Self::Mesh(bvh, _) => bvh.region(),

@@ -1,4 +1,4 @@
-//! One hierarchy in the shapes of triangles that kernels want.
+//! One hierarchy with the triangle shapes of different kernels.
 
 use std::sync::OnceLock;
 
@@ -6,8 +6,8 @@ use crate::bvh::Bvh;
 use crate::geom::Triangle;
 use crate::geom::kernel::AffineTriangle;
 
-/// A hierarchy, and the same with its triangles in every other shape that a kernel of [`with_tests`](super::with_tests)
-/// wants, made when it is first asked for.
+/// A hierarchy, and copies of it with the triangle shapes of the kernels of [`with_tests`](super::with_tests). Each
+/// copy is built at its first use.
 ///
 /// ```
 /// use glam::Vec3;
@@ -25,25 +25,25 @@ pub struct KernelBvhs {
 }
 
 impl KernelBvhs {
-    /// The forms of this hierarchy.
+    /// Creates the collection of this hierarchy.
     pub fn new(bvh: Bvh) -> Self {
         Self { corners: bvh, affine: OnceLock::new() }
     }
 
-    /// The hierarchy itself.
+    /// Returns the hierarchy itself.
     pub fn corners(&self) -> &Bvh {
         &self.corners
     }
 
-    /// The hierarchy with triangles of this shape.
+    /// Returns the hierarchy with triangles of this shape.
     pub fn of<S: KernelShape>(&self) -> &Bvh<S> {
         S::form(self)
     }
 }
 
-/// A shape of triangles that [`KernelBvhs`] have.
+/// A triangle shape of [`KernelBvhs`].
 pub trait KernelShape: Copy + From<Triangle> + 'static {
-    /// As [`KernelBvhs::of`].
+    /// Computes [`KernelBvhs::of`].
     fn form(forms: &KernelBvhs) -> &Bvh<Self>;
 }
 

@@ -1,4 +1,4 @@
-//! What leaves hold, whatever the tree above them.
+//! Leaf contents, independent of the arity of the tree.
 
 use crate::bvh::wide::leaf_places;
 use crate::bvh::{Bvh, WideBvh};
@@ -6,28 +6,29 @@ use crate::geom::lanes::Precision;
 use crate::geom::{Region, Slabs, Triangle};
 use crate::tree::Node;
 
-/// The shapes in the leaves of a hierarchy: all that rare queries need of it, but for boxes.
+/// The shapes in the leaves of a hierarchy. Rare queries need only these and boxes.
 pub trait LeafPrimitives<S> {
-    /// What the tests of a ray need to know of the whole.
+    /// Returns the properties of the whole hierarchy that ray tests need.
     fn region(&self) -> &Region;
 
-    /// Whether a shape may be in several leaves.
+    /// Returns whether a shape may be in several leaves.
     fn has_repeats(&self) -> bool;
 
-    /// Shows the shapes of a leaf: of each its place, which [`shape`](Self::shape) takes, and its index in the mesh.
+    /// Calls `show` for the shapes of a leaf: with the place, an argument of [`shape`](Self::shape), the shape, and its
+    /// index in the mesh.
     fn for_each(&self, leaf: Node, show: impl FnMut(usize, &S, u32));
 
-    /// The least index of the triangles of a leaf, or below an inner node. `[NEAR-6]`
+    /// Returns the least index of the triangles of a leaf, or below an inner node. `[NEAR-6]`
     fn least_below(&self, node: Node) -> u32;
 
-    /// The shape at a place.
+    /// Returns the shape at a place.
     fn shape(&self, place: usize) -> S;
 }
 
-/// A ray's tests of a hierarchy `H`, which may also tell that it misses triangles.
+/// A ray's tests in a hierarchy `H`, which may reject triangles.
 pub(super) trait LeafFilter<H, S, R> {
-    /// Shows the shapes of a leaf, as [`for_each`](LeafPrimitives::for_each), but for some that the ray does not meet up to
-    /// `end`.
+    /// Calls `show` for the shapes of a leaf, as [`for_each`](LeafPrimitives::for_each), except for some that the ray
+    /// does not meet up to `end`.
     fn for_each_left(&self, bvh: &H, leaf: Node, end: R, show: impl FnMut(usize, &S, u32));
 }
 
@@ -67,7 +68,7 @@ impl<S: Copy> LeafPrimitives<S> for Bvh<S> {
     }
 }
 
-/// A place is four times the block's, and the lane.
+/// A place is four times the block's index, plus the lane.
 impl<const A: usize, V: Precision> LeafPrimitives<Triangle<V>> for WideBvh<A, V> {
     fn region(&self) -> &Region {
         self.region()

@@ -1,4 +1,4 @@
-//! What queries on a hierarchy need besides.
+//! The data of queries in addition to the hierarchy.
 
 use super::{Part, Plan, Query};
 use crate::bvh::{Bvh, BvhTree};
@@ -8,7 +8,7 @@ use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
 use crate::traverse::{AuxTables, Method, Run, Stack, Tables, Unsupported, WordName, traverse};
 use crate::tree::{Implicit, Node, Topology};
 
-/// A traversal and its tables. The hierarchy that they were made for comes with each query.
+/// A traversal and its tables. Callers pass the hierarchy of these tables with each query.
 #[derive(Debug)]
 pub(super) struct Level {
     pub(super) method: Method,
@@ -19,10 +19,10 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// What a plan says, checked once and for all: no ray can fail.
+    /// Creates the level of a plan. It checks the plan once, so tracing is infallible.
     pub(super) fn new<S>(bvh: &Bvh<S>, plan: &Plan) -> Result<Self, Unsupported> {
         let level = Self::unchecked(bvh, plan);
-        // A search that is over at the root: what is unfit is found before the first step.
+        // A search that ends at the root detects an unfit traversal before the first step.
         level.try_run(bvh.tree(), 0, &mut Vec::new(), &mut Nothing).map(|()| level)
     }
 
@@ -34,18 +34,18 @@ impl Level {
         Self { method, word, beside, boxes }
     }
 
-    /// Memory of the tables, in bytes.
+    /// Returns the memory of the tables, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.beside.bytes() + size_of_val(&*self.boxes)
     }
 
-    /// Bytes of the state of a traversal.
+    /// Returns the bytes of the state of a traversal.
     pub(super) fn state_bytes<S>(&self, bvh: &Bvh<S>) -> usize {
         self.method.state_bytes_in(self.word, bvh.depth())
     }
 
-    /// Runs a query to its end: in a copy of the traversals that is compiled for it, if keys are short and the records
-    /// name what the traversal follows; else in the copy that all queries share.
+    /// Runs a query to its end. It uses a copy of the traversals that is compiled for the query, if keys are short and
+    /// the records have the traversal's links. Otherwise it uses the shared copy.
     #[inline]
     pub(super) fn run(&self, tree: &BvhTree, octant: u8, memory: &mut Vec<Node>, query: &mut impl Query) {
         let (method, tables) = (self.method_for(query), self.tables(tree));
@@ -60,14 +60,14 @@ impl Level {
         }
     }
 
-    /// Runs any query, in the copy of the traversals that all share.
+    /// Runs any query, in the shared copy of the traversals.
     pub(super) fn run_shared(&self, tree: &BvhTree, octant: u8, memory: &mut Vec<Node>, query: &mut dyn Query) {
         if self.try_run(tree, octant, memory, query).is_err() {
             by_stack(tree, query);
         }
     }
 
-    /// The same with all backtracks counted, in a copy of its own.
+    /// Runs a query with all backtracks counted, in a separate copy.
     pub(super) fn run_counted(
         &self,
         tree: &BvhTree,
@@ -98,15 +98,14 @@ impl Level {
         Tables::lent(tree, tree.axes(), &self.beside)
     }
 
-    /// Searches that nothing can be pruned from are traversed as a whole.
+    /// Searches that allow no pruning run without it.
     #[inline]
     pub(super) fn method_for(&self, query: &(impl Pruned + ?Sized)) -> Method {
         if query.allows(self.method.test().pruning()) { self.method } else { self.method.without_pruning() }
     }
 }
 
-/// What every hierarchy fits. [`Level::new`] sees to it that nobody comes here; who does is answered, and not with a
-/// miss.
+/// Unreachable after [`Level::new`]; falls back to a traversal that fits every hierarchy, not to a miss.
 #[cold]
 #[inline(never)]
 fn by_stack(tree: &BvhTree, mut query: &mut dyn Query) {
@@ -149,7 +148,7 @@ mod tests {
     use crate::generate::procedural;
     use crate::trace::{Closest, OwnBoxes, QueryKind, Truth};
 
-    /// Keys of 32 bits in a hierarchy that is too deep for them, and no table of the traversal that runs.
+    /// Keys of 32 bits in a hierarchy that is too deep for them, without a table of the traversal that runs.
     #[test]
     fn a_level_that_does_not_fit_is_found_at_once_and_answers_even_so() {
         let mesh = procedural::layers(60);

@@ -1,4 +1,4 @@
-//! The queries that tracers of one mesh answer besides those of all tracers.
+//! The queries of tracers of one mesh, in addition to those of all tracers.
 
 use super::ray_queries::in_parallel;
 use super::{Hit, Near};
@@ -8,9 +8,8 @@ use crate::geom::{Ball, EnvironmentError, Ray, Vector};
 /// slice on this thread (`_each`), and for a slice on all threads (`_parallel`).
 pub trait MeshQueries<V: Vector> {
     /// Finds the first hit after a given one (`t`, primitive), in the order of [`all`](super::RayQueries::all). So a
-    /// caller can walk through hits one by one: no hit is lost or met again, not even where many have the same `t`. If
-    /// the ray does not hit the given triangle at a distance that rounds to `t`, hits after `t` itself count.
-    /// `[EXACT-13]`
+    /// caller can iterate over hits: no hit is lost or repeated, even if many have the same `t`. If the ray does not
+    /// hit the given triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
     ///
     /// ```
     /// # use glam::Vec3;
@@ -70,16 +69,17 @@ pub trait MeshQueries<V: Vector> {
     /// ```
     fn winding(&self, ray: &Ray<V>) -> i32;
 
-    /// Counts the [`crossings`](Self::crossings) of a ray, or with `signed` sums their signs, as [`winding`](Self::winding) does.
-    /// `None` if the origin is on a triangle that has an area, exactly; the ray must begin at its origin. `[CLOSED-2]`
+    /// Counts the [`crossings`](Self::crossings) of a ray, or with `signed` sums their signs, as
+    /// [`winding`](Self::winding) does. `None` if the origin is exactly on a triangle with an area; the ray must start
+    /// at its origin. `[CLOSED-2]`
     fn crossings_off_surface(&self, ray: &Ray<V>, signed: bool) -> Option<i32>;
 
-    /// Finds the point of the mesh that is nearest to the middle of a ball, if there is one in it. `[NEAR-1]` Exact,
-    /// whatever the tests for rays are.
+    /// Finds the point of the mesh nearest to the center of a ball, if one is in the ball. `[NEAR-1]` The result is
+    /// exact for all ray tests of the tracer.
     fn nearest(&self, ball: &Ball<V>) -> Option<Near<V>>;
 
-    /// Finds the `k` triangles that are nearest to the middle of a ball, in order of distance and then index, as many
-    /// as there are in the ball. `[NEAR-2]`
+    /// Finds the `k` triangles nearest to the center of a ball, in order of distance and then index. Returns fewer if
+    /// the ball has fewer triangles. `[NEAR-2]`
     ///
     /// ```
     /// use glam::DVec3;
@@ -112,7 +112,7 @@ pub trait MeshQueries<V: Vector> {
     /// Counts the [`crossings`](Self::crossings) of each ray, on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn crossings_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<u32>, EnvironmentError>
     where
         Self: Sync,
@@ -123,7 +123,7 @@ pub trait MeshQueries<V: Vector> {
     /// Sums the signs of the crossings of each ray, as [`winding`](Self::winding), on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn winding_parallel(&self, rays: &[Ray<V>]) -> Result<Vec<i32>, EnvironmentError>
     where
         Self: Sync,
@@ -134,7 +134,7 @@ pub trait MeshQueries<V: Vector> {
     /// Finds the [`nearest`](Self::nearest) point of each ball, on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn nearest_parallel(&self, balls: &[Ball<V>]) -> Result<Vec<Option<Near<V>>>, EnvironmentError>
     where
         Self: Sync,

@@ -1,21 +1,21 @@
-//! Ray queries as visitors: what a traversal asks at each node to find the closest hit, or any.
+//! Ray queries: visitors for the closest hit or any hit, and the tracers that run them.
 //!
 //! [`Closest`] and [`Any`] test both children at their parent, so the root's own box is not tested. [`ClosestByNode`]
-//! and [`AnyByNode`] test a node's own box at its visit, for the traversals that are made that way. They are exact: the
-//! answer to a closest-hit query is that of rational arithmetic ([`Truth`]), and so it is the same, bit for bit, for
-//! every tree over the same mesh, every order and every traversal. `[DET-1]` Of an any-hit query, only whether there is
-//! a hit is.
+//! and [`AnyByNode`] test each node's box at its own visit, for traversals that need this. They are exact: the answer
+//! to a closest-hit query is that of rational arithmetic ([`Truth`]). So it is identical, bit for bit, for every tree
+//! over the same mesh, every order and every traversal. `[DET-1]` For an any-hit query, only the existence of a hit is
+//! identical.
 //!
 //! # Tracers
 //!
 //! | tracer | over | queries |
 //! |---|---|---|
-//! | [`Tracer`], the front door | a hierarchy of eight children | [`RayQueries`], [`MeshQueries`] |
-//! | [`BinaryTracer`] | a binary hierarchy, by any traversal of both papers and by any tests | the same |
-//! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that begin on a surface | [`RayQueries`] |
+//! | [`Tracer`], the default | a hierarchy of eight children | [`RayQueries`], [`MeshQueries`] |
+//! | [`BinaryTracer`] | a binary hierarchy, with any traversal of both papers and any tests | [`RayQueries`], [`MeshQueries`] |
+//! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that start on a surface | [`RayQueries`] |
 //!
-//! A tracer refuses a traversal that does not fit when it is made ([`Unsupported`](crate::traverse::Unsupported)). Tracing is
-//! infallible. Meshes, rays, balls and options of builders are checked where they enter
+//! Construction of a tracer refuses a traversal that does not fit ([`Unsupported`](crate::traverse::Unsupported)).
+//! Tracing is infallible. The constructors of meshes, rays, balls and builders check their inputs
 //! ([`MeshError`](crate::geom::MeshError), [`RayError`](crate::geom::RayError), [`BallError`](crate::geom::BallError),
 //! [`BuildError`](crate::bvh::BuildError)). ARCHITECTURE.md lists the functions that a ray passes.
 
@@ -72,12 +72,12 @@ pub use tracer::Tracer;
 pub use truth::{TrueHit, Truth};
 pub use winding::Winding;
 
-/// Where a ray meets a mesh.
+/// The intersection of a ray and a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<R = f32> {
     /// Index of the triangle in the mesh.
     pub prim: u32,
-    /// Distance along the ray, in lengths of its direction.
+    /// Distance along the ray, in units of the length of its direction.
     pub t: R,
     /// Weight of the triangle's second corner.
     pub u: R,

@@ -1,4 +1,4 @@
-//! The nearest point of a mesh, and the nearest several triangles.
+//! The nearest point of a mesh, and the k nearest triangles.
 
 mod several;
 
@@ -13,24 +13,24 @@ use crate::geom::{Aabb, Ball, Measure, Real, Triangle, Vector};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
 use crate::tree::{Node, Topology};
 
-/// The point of a mesh that is nearest to another point.
+/// The point of a mesh nearest to a query point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near<V: Vector = Vec3> {
     /// Index of the triangle in the mesh.
     pub prim: u32,
     /// The float nearest to the exact distance.
     pub distance: V::Real,
-    /// Where on the triangle: the exact nearest point, each coordinate rounded once, to the nearest float. A zero is
-    /// positive. `[NEAR-3]`
+    /// The exact nearest point on the triangle, each coordinate rounded once to the nearest float. A zero is positive.
+    /// `[NEAR-3]`
     pub point: V,
 }
 
 /// A search for the nearest point of a mesh within a radius, exact: the triangle of the least distance, rounded to the
-/// nearest float, and of equal ones that of the least index. `[NEAR-1]`
+/// nearest float, and of equal distances that of the least index. `[NEAR-1]`
 ///
-/// It is no ray query, yet runs in the same traversals: they know no geometry. Degenerate triangles, which rays miss, are
-/// segments and points here, unless the hierarchy [left them out](crate::bvh::Degenerate). Meshes in double precision have
-/// points and distances in double precision.
+/// It runs in the same traversals as ray queries, because they are independent of geometry. Degenerate triangles, which
+/// rays miss, are segments and points here, unless the hierarchy [omits them](crate::bvh::Degenerate). Meshes in double
+/// precision have points and distances in double precision.
 #[derive(Clone, Debug)]
 pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
     pub(super) around: Around<'a, H, V>,
@@ -41,10 +41,10 @@ pub struct NearestPoint<'a, H = Bvh, V: Vector = Vec3> {
 #[derive(Clone, Copy, Debug)]
 struct Best {
     prim: u32,
-    /// Where it is in the hierarchy.
+    /// Its place in the hierarchy.
     place: usize,
-    /// At most its distance, as long as that is open: then it is less than that of any other, and at most the limit. Most
-    /// are replaced before their digits are asked for.
+    /// A lower bound of its distance while that is open. Then its distance is less than that of any other triangle, and
+    /// at most the limit. Most triangles are replaced before their digits are computed.
     open: Option<f64>,
 }
 
@@ -54,7 +54,7 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
         Self { around: Around::new(bvh, ball), best: None }
     }
 
-    /// What is nearest, after the traversal.
+    /// Returns the nearest point, after the traversal.
     pub fn near(&self) -> Option<Near<V>> {
         let Best { prim, place, open } = self.best?;
         if open.is_none() {
@@ -75,7 +75,7 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
 
     fn compare(&mut self, bounds: [f64; 2], shape: &Triangle<V>, new: Best) {
         let most = V::Real::rounded(bounds[1]);
-        // Not so for a NaN.
+        // False for a NaN.
         if !self.best.and_then(|best| best.open).is_none_or(|open| most < V::Real::rounded(open)) {
             self.settle();
         }
@@ -130,7 +130,7 @@ impl<V: Vector> BoxQuery for NearestPoint<'_, Bvh<Triangle<V>>, V> {
     }
 }
 
-/// A ball around a point that shrinks as nearer triangles are found.
+/// A ball around a point. It shrinks as nearer triangles are found.
 #[derive(Clone, Debug)]
 pub(super) struct Around<'a, H, V: Vector = Vec3> {
     pub(super) bvh: &'a H,
@@ -138,16 +138,16 @@ pub(super) struct Around<'a, H, V: Vector = Vec3> {
     pub(super) limit: Limit<V::Real>,
 }
 
-/// What comes after it, by distance and then by index, does not matter any more.
+/// Triangles after the limit, by distance and then by index, are irrelevant.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub(super) struct Limit<R> {
     pub(super) distance: R,
-    /// Greater than any index as long as the distance is the radius, or open.
+    /// Greater than any index while the distance is the radius, or open.
     prim: u32,
 }
 
 impl<R: Real> Limit<R> {
-    /// The greatest distance of a triangle that does not come after it.
+    /// Returns the greatest distance of a triangle that does not come after it.
     fn end(&self, prim: u32) -> R {
         if prim > self.prim { self.distance.next_down() } else { self.distance }
     }
@@ -159,42 +159,42 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
         Self { bvh, measure, limit: Limit { distance: ball.radius(), prim: u32::MAX } }
     }
 
-    /// Distances from the point.
+    /// Returns the measure of distances from the point.
     pub(super) fn measure(&self) -> &Measure<V> {
         &self.measure
     }
 
-    /// Boxes that are farther, in the units of their frame, do not matter.
+    /// Returns the distance beyond which boxes are irrelevant, in the units of their frame.
     pub(super) fn end(&self) -> f32 {
         self.measure.in_frame(self.limit.distance)
     }
 
-    /// At most the distance of what is in a box: rounding keeps the order.
+    /// Returns a lower bound of the distance of points in a box: rounding keeps the order.
     pub(super) fn to_box(&self, aabb: &Aabb) -> V::Real {
         V::Real::rounded(self.measure.to_box(aabb))
     }
 
-    /// Whether what is measured as this, off by so much of it, may be as far as the limit.
+    /// Returns whether a measured distance with this relative error may be equal to the limit.
     pub(super) fn is_about_limit(&self, distance: V::Real, off: f64) -> bool {
-        // Measured, nothing is infinitely far.
+        // Measured distances are never infinite.
         let [distance, limit, most] = [distance, self.limit.distance, V::Real::INFINITY.next_down()].map(Into::into);
         distance >= limit.min(most) * (1.0 - off)
     }
 
-    /// Whether nothing of a child matters, whose box is so far. `[NEAR-6]`
+    /// Returns whether a child whose box has this distance contains no relevant triangle. `[NEAR-6]`
     pub(super) fn is_settled(&self, near: V::Real, child: Node) -> bool {
         let Limit { distance, prim } = self.limit;
         near > distance || near == distance && prim < u32::MAX && self.bvh.least_below(child) > prim
     }
 
-    /// Bounds of the distance of a triangle that may come before the limit.
+    /// Returns bounds of the distance of a triangle that may come before the limit.
     #[inline]
     fn bounds(&self, shape: &Triangle<V>, prim: u32) -> Option<[f64; 2]> {
         self.measure.bounds(shape, self.limit.end(prim))
     }
 
-    /// Shows the triangles of a leaf that come before the limit: each with its place in the hierarchy. The answer is the
-    /// new limit, if there is one.
+    /// Calls `found` for the triangles of a leaf that come before the limit, each with its place in the hierarchy.
+    /// `found` returns the new limit, if there is one.
     fn meet(&mut self, leaf: Node, mut found: impl FnMut(Limit<V::Real>, usize) -> Option<Limit<V::Real>>) {
         let Self { bvh, measure, limit } = self;
         bvh.for_each(leaf, |place, shape, prim| {
@@ -212,7 +212,7 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
     }
 }
 
-/// What distances of boxes are off by in double precision, many times over, in parts of themselves.
+/// Relative error bound of distances of boxes in double precision, with a large margin.
 const OFF: f64 = 32.0 * f64::EPSILON;
 
 impl<V: Vector> Around<'_, Bvh<Triangle<V>>, V> {
@@ -227,11 +227,12 @@ impl<V: Vector> Around<'_, Bvh<Triangle<V>>, V> {
         Descent::new(left <= limit, right <= limit, right < left)
     }
 
-    /// With the last digits of the distances; of equal ones the child of the least index comes first. `[NEAR-8]`
+    /// Decides by the last digits of the distances; of equal distances the child of the least index comes first.
+    /// `[NEAR-8]`
     #[cold]
     fn descend_by_digits(&self, record: &BvhNode, rough: [V::Real; 2], is_tie: bool) -> Descent {
         let near = [Side::Left, Side::Right].map(|side| self.measure.to_box_by_digits(&record.child_box(side)));
-        // Whatever the limit, the order is the same.
+        // The order does not depend on the limit.
         let order = if is_tie { near } else { rough };
         let least = || record.children.map(|child| self.bvh.least_below(child));
         let is_right_first = order[1] < order[0] || order[1] == order[0] && is_tie && least()[1] < least()[0];

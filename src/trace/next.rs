@@ -12,17 +12,17 @@ use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
 use crate::order::{Descent, Flow, Pruned, Repeatable, Visitor};
 use crate::tree::Node;
 
-/// A ray on its way through a hierarchy `H` that looks for the first hit after a given one, in the order of exact distance
+/// The state of a ray that searches a hierarchy `H` for the first hit after a given one, in the order of exact distance
 /// and then of primitive. `[EXACT-13]`
 ///
-/// The given one is the hit of a triangle at a rounded distance. If the ray does not hit the triangle at that, it is the
-/// distance itself.
+/// The given one is the hit of a triangle at a rounded distance. If the ray does not hit the triangle at that distance,
+/// it is the distance itself.
 #[derive(Clone, Debug)]
 pub struct NextHitQuery<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     /// It ends at the best hit that is farther after rounding.
     pub(super) cast: PreparedRay<'a, K, B, H>,
     after: (Real<K>, u32),
-    /// Where the given triangle is in the hierarchy, once it is met at the given distance.
+    /// The place of the given triangle in the hierarchy, once it is met at the given distance.
     start: Option<usize>,
     /// The other hits at the given distance.
     level: Vec<Met>,
@@ -30,7 +30,7 @@ pub struct NextHitQuery<'a, K: Kernel, B, H = Bvh<<K as Kernel>::Shape>> {
     farther: Option<Met>,
 }
 
-/// A triangle that is hit, and where it is in the hierarchy.
+/// A hit triangle, and its place in the hierarchy.
 #[derive(Clone, Copy, Debug)]
 struct Met {
     prim: u32,
@@ -45,8 +45,8 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> NextHitQuery<'a, K, B> {
     }
 }
 
-/// The part of a ray that boxes are tested with: those that end before the given hit are skipped. The hit's distance is
-/// rounded, and the exact one is beyond the float before. Triangles are tested with the ray itself.
+/// Returns the part of a ray for box tests: boxes that end before the given hit are skipped. The hit's distance is
+/// rounded, and the exact distance is greater than the previous float. Triangles are tested with the ray itself.
 pub(super) fn rest<V: Vector>(ray: &Ray<V>, after: V::Real) -> Ray<V> {
     let start = after.next_down();
     let start = if start > ray.tmin() { start } else { ray.tmin() };
@@ -54,12 +54,12 @@ pub(super) fn rest<V: Vector>(ray: &Ray<V>, after: V::Real) -> Ray<V> {
 }
 
 impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> NextHitQuery<'a, K, B, H> {
-    /// The boxes' test is for the [`rest`] of the ray.
+    /// Prepares a query; its box test must be for the [`rest`] of the ray.
     pub(super) const fn over(cast: PreparedRay<'a, K, B, H>, after: (Real<K>, u32)) -> Self {
         Self { cast, after, start: None, level: Vec::new(), farther: None }
     }
 
-    /// The hit, after the traversal.
+    /// Returns the hit, after the traversal.
     pub fn hit(&self) -> Option<Hit<Real<K>>> {
         let PreparedRay { bvh, kernel, end, .. } = &self.cast;
         let at_level = self.level.iter().filter(|met| self.is_after(met));
@@ -74,7 +74,7 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> NextHitQuery<'a, K, B, H> {
         order(*bvh, kernel, a, b)
     }
 
-    /// Whether a hit at the given distance comes after the given one.
+    /// Returns whether a hit at the given distance comes after the given hit.
     fn is_after(&self, met: &Met) -> bool {
         let (t, prim) = self.after;
         let order = match self.start {

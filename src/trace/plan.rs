@@ -1,4 +1,4 @@
-//! Which tracer serves, and what a query on a scene can do without.
+//! Plans: the tracer for a query, and the parts that a query on a scene does not need.
 
 mod choice;
 
@@ -8,7 +8,7 @@ use crate::bvh::{BuildOptions, Bvh, Degenerate};
 use crate::traverse::{Method, Test, WordName};
 use crate::tree::Topology;
 
-/// What is asked for each ray.
+/// The kind of query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum QueryKind {
     /// Whether there is a hit.
@@ -21,34 +21,34 @@ pub enum QueryKind {
     All,
 }
 
-/// What a tracer says of a hit that its plan asks for ([`BinaryTracer::partial_hits_each`](super::BinaryTracer::partial_hits_each)).
+/// The parts of a hit that its plan requests
+/// ([`BinaryTracer::partial_hits_each`](super::BinaryTracer::partial_hits_each)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartialHit<R = f32> {
-    /// Index of the triangle in the mesh; where any hit is asked for, of the one that was met first.
+    /// Index of the triangle in the mesh; for any-hit queries, of the triangle met first.
     pub prim: u32,
-    /// Distance along the ray, unless it was left out.
+    /// Distance along the ray, unless omitted.
     pub t: Option<R>,
-    /// Weights of the triangle's second and third corner, unless they were left out.
+    /// Weights of the triangle's second and third corner, unless omitted.
     pub weights: Option<[R; 2]>,
 }
 
-/// Something that takes time or memory, and not every query on every scene needs it.
+/// A part that takes time or memory, and that not every query on every scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Part {
     /// Keys of 128 bits.
     LongKeys,
-    /// Tables of other traversals than the one that runs: parents, uncles, all keys, skip pointers, the implicit
-    /// layout.
+    /// Tables of other traversals than the selected one: parents, uncles, all keys, skip pointers, the implicit layout.
     OtherTables,
-    /// The second trail, by which a hit ends what lies behind it.
+    /// The second trail, which lets a hit prune the nodes behind it.
     SecondTrail,
-    /// Each node's own box beside the pair of its parent.
+    /// Each node's own box, in addition to the pair in its parent.
     OwnBoxes,
-    /// Distance and weights of a hit, where nobody asks for them.
+    /// Distance and weights of a hit, if the caller does not need them.
     Weights,
     /// Triangles that no ray can meet.
     Degenerate,
-    /// The watch for triangles that are met again in another leaf.
+    /// The detection of triangles that are met again in another leaf.
     Repeats,
 }
 
@@ -64,7 +64,7 @@ impl Part {
         Self::Repeats,
     ];
 
-    /// The name in tables.
+    /// Returns the name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::LongKeys => "keys of 128 bits",
@@ -78,18 +78,19 @@ impl Part {
     }
 }
 
-/// Whether a part is left out, and why.
+/// Whether a part is omitted, and the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decision {
     /// The part.
     pub part: Part,
-    /// Whether it is left out.
+    /// Whether it is omitted.
     pub skipped: bool,
-    /// Why, in words with the figures of the scene.
+    /// The reason, in words with the figures of the scene.
     pub reason: String,
 }
 
-/// What queries of a kind need on a binary hierarchy, and what they are spared: [`Choice`] says when that is the one to use. Whatever it decides, the answers are the same.
+/// The parts that queries of a kind need on a binary hierarchy, and the parts that they omit. [`Choice`] decides
+/// whether to use a binary hierarchy. The plan does not change the answers.
 ///
 /// ```
 /// use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -114,7 +115,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Looks at a hierarchy once.
+    /// Creates a plan from one pass over a hierarchy.
     pub fn new<S>(bvh: &Bvh<S>, method: Method, ask: QueryKind) -> Self {
         let word = WordName::narrowest(bvh.depth());
         let decisions: Vec<_> = Part::ALL.map(|part| decide(part, bvh, method, ask)).into();
@@ -123,7 +124,7 @@ impl Plan {
         Self { method, word, ask, decisions }
     }
 
-    /// The same with a part back in that was left out: to see what it costs.
+    /// Returns this plan with an omitted part restored, to measure its cost.
     #[must_use]
     pub fn with(mut self, part: Part) -> Self {
         for decision in &mut self.decisions {
@@ -138,39 +139,39 @@ impl Plan {
         self
     }
 
-    /// The same with nothing left out.
+    /// Returns this plan with no part omitted.
     #[must_use]
     pub fn with_everything(self) -> Self {
         Part::ALL.into_iter().fold(self, Self::with)
     }
 
-    /// The decisions, in the order of [`Part::ALL`].
+    /// Returns the decisions, in the order of [`Part::ALL`].
     pub fn decisions(&self) -> &[Decision] {
         &self.decisions
     }
 
-    /// Whether a part is left out.
+    /// Returns whether a part is omitted.
     pub fn skips(&self, part: Part) -> bool {
         self.decisions.iter().any(|decision| decision.part == part && decision.skipped)
     }
 
-    /// Options with what the plan says of triangles that no ray can meet: they are dropped when a hierarchy is built.
+    /// Returns options with the plan's decision on triangles that no ray can meet: the builder omits them.
     pub fn options(&self, options: BuildOptions) -> BuildOptions {
         let degenerate = if self.skips(Part::Degenerate) { Degenerate::LeftOut } else { Degenerate::Kept };
         BuildOptions { degenerate, ..options }
     }
 
-    /// What is asked for each ray.
+    /// Returns the kind of query.
     pub fn ask(&self) -> QueryKind {
         self.ask
     }
 
-    /// The traversal.
+    /// Returns the traversal.
     pub fn method(&self) -> Method {
         self.method
     }
 
-    /// The word of the keys.
+    /// Returns the word of the keys.
     pub fn word(&self) -> WordName {
         self.word
     }

@@ -1,4 +1,4 @@
-//! A ray among the boxes and triangles of a hierarchy: what rare queries share. (The frequent ones have it in
+//! A ray with its tests of boxes and triangles, shared by rare queries. (Frequent queries use
 //! [`Search`](super::Search).)
 
 use super::leaf_primitives::LeafPrimitives;
@@ -15,7 +15,7 @@ pub(super) struct PreparedRay<'a, K: Kernel, B, H> {
     pub(super) bvh: &'a H,
     pub(super) kernel: K,
     pub(super) slabs: B,
-    /// Where boxes begin to be too far.
+    /// The distance from which on boxes are too far.
     pub(super) end: Real<K>,
 }
 
@@ -30,7 +30,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> PreparedRay<'a, K, B, Bvh<K::S
         Self::with(bvh, ray, B::new(ray, bvh.region()))
     }
 
-    /// The children that the ray meets, the nearer one first.
+    /// Decides on the children that the ray meets, the nearer one first.
     #[inline]
     pub(super) fn inner(&self, node: Node) -> Descent {
         let planes = &self.bvh.node(node.index()).planes;
@@ -38,7 +38,7 @@ impl<'a, K: Kernel, B: Slabs<Vector = K::Vector>> PreparedRay<'a, K, B, Bvh<K::S
         Descent::new(left, right, near[1] < near[0])
     }
 
-    /// Whether the ray meets a box.
+    /// Returns whether the ray meets a box.
     pub(super) fn touches(&self, aabb: &Aabb) -> bool {
         self.slabs.one(aabb, self.end).is_some()
     }

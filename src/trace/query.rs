@@ -1,4 +1,4 @@
-//! What a query is to a traversal.
+//! The interface of queries to traversals.
 
 use crate::bvh::BvhTree;
 use crate::geom::Aabb;
@@ -6,14 +6,15 @@ use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Repeatable, Visitor
 use crate::traverse::{Method, Tables, Unsupported, WordName};
 use crate::tree::Node;
 
-/// A query that every traversal can run. As `&mut dyn Query` it is one type for all kinds, so that not all traversals
-/// are compiled for each kind anew.
+/// A query that every traversal can run. `&mut dyn Query` is one type for all kinds of queries, so traversals are not
+/// compiled again for each kind.
 pub trait Query: Pruned + NodeTest {}
 
 impl<Q: Pruned + NodeTest> Query for Q {}
 
 impl Tables<'_, BvhTree> {
-    /// [`run_in`](Self::run_in) for any query, in the one copy of the traversals that is compiled with this crate.
+    /// Calls [`run_in`](Self::run_in) for any query, in the one copy of the traversals that is compiled with this
+    /// crate.
     ///
     /// # Errors
     /// [`Unsupported`], before the first step.
@@ -31,30 +32,30 @@ impl Tables<'_, BvhTree> {
 
 /// A query that decides on both children at their parent, and can test a node's own box as well.
 pub trait BoxQuery: Pruned {
-    /// Whether what the query looks for may be in a box.
+    /// Returns whether a box may contain a result of the query.
     fn touches(&self, aabb: &Aabb) -> bool;
 
-    /// The [slot](crate::tree::Topology::slot) of a node.
+    /// Returns the [slot](crate::tree::Topology::slot) of a node.
     fn slot(&self, node: Node) -> usize;
 
-    /// Whether it takes children in the order of distance and marks what is disjoint.
+    /// Returns whether it takes children in the order of distance and marks disjoint children.
     fn is_sorted(&self) -> bool {
         false
     }
 
-    /// Whether it may find what lies outside a leaf's box: parts of triangles, which are tested as a whole.
+    /// Returns whether results may lie outside a leaf's box: for parts of triangles, which are tested as a whole.
     fn is_in_parts(&self) -> bool {
         false
     }
 
-    /// Whether what was found lies before the end of a box.
+    /// Returns whether the result lies before the end of a box.
     fn ends_in(&self, _: &Aabb) -> bool {
         false
     }
 }
 
-/// Both forms of a query in one type, for traversals that are chosen when the program runs: those that test a node at
-/// its own visit find its box in a table.
+/// A query with both node tests in one type, for traversals that are selected at run time: traversals that test a node
+/// at its own visit find its box in a table.
 #[derive(Clone, Debug)]
 pub struct OwnBoxes<'a, Q> {
     pub(super) query: Q,
@@ -62,14 +63,14 @@ pub struct OwnBoxes<'a, Q> {
 }
 
 impl<'a, Q: BoxQuery> OwnBoxes<'a, Q> {
-    /// `boxes` must be the tree's [`own_boxes`](crate::bvh::Bvh::own_boxes), or empty if the traversal tests no node's
-    /// own box.
+    /// Wraps a query. `boxes` must be the tree's [`own_boxes`](crate::bvh::Bvh::own_boxes), or empty if the traversal
+    /// tests no node's own box.
     #[inline]
     pub fn over(query: Q, boxes: &'a [Aabb]) -> Self {
         Self { query, boxes }
     }
 
-    /// The query, which has its answer after the traversal.
+    /// Returns the query, which contains the answer after the traversal.
     #[inline]
     pub fn query(&self) -> &Q {
         &self.query
@@ -102,7 +103,7 @@ impl<Q: BoxQuery> Pruned for OwnBoxes<'_, Q> {
         self.query.inner_marked(node)
     }
 
-    /// What is found beyond the box of its leaf may come after what is in others. `[DISJOINT-4]`
+    /// A result beyond the box of its leaf may come after results in other boxes. `[DISJOINT-4]`
     #[inline]
     fn found_at(&self, leaf: Node) -> bool {
         let is_inside = || self.boxes.get(self.query.slot(leaf)).is_some_and(|aabb| self.query.ends_in(aabb));

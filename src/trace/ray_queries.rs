@@ -1,4 +1,4 @@
-//! The ray queries that all tracers answer.
+//! The ray queries of all tracers.
 
 use crate::geom::EnvironmentError;
 use crate::threads;
@@ -28,20 +28,20 @@ use crate::threads;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub trait RayQueries<R: Sync> {
-    /// Where a ray meets a triangle.
+    /// The intersection of a ray and a triangle.
     type Hit: Send;
 
-    /// Finds the closest hit: the least exact distance, and of equal ones the least index. `[EXACT-1]`
+    /// Finds the closest hit: the least exact distance, and of equal distances the least index. `[EXACT-1]`
     fn closest(&self, ray: &R) -> Option<Self::Hit>;
 
     /// Returns whether there is a hit.
     fn any(&self, ray: &R) -> bool;
 
-    /// Finds any hit: the first that the traversal meets, which depends on the hierarchy.
+    /// Finds any hit: the first hit of the traversal, which depends on the hierarchy.
     fn any_hit(&self, ray: &R) -> Option<Self::Hit>;
 
-    /// Finds all hits, each triangle once, in the order of exact distance and then of index: edges and corners
-    /// included.
+    /// Finds all hits, including those at edges and corners, each triangle once. They are in the order of exact
+    /// distance and then of index.
     fn all(&self, ray: &R) -> Vec<Self::Hit>;
 
     /// Finds the [`closest`](Self::closest) hit of each ray, on this thread.
@@ -67,7 +67,7 @@ pub trait RayQueries<R: Sync> {
     /// Finds the [`closest`](Self::closest) hit of each ray, on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn closest_parallel(&self, rays: &[R]) -> Result<Vec<Option<Self::Hit>>, EnvironmentError>
     where
         Self: Sync,
@@ -78,7 +78,7 @@ pub trait RayQueries<R: Sync> {
     /// Returns for each ray whether there is [`any`](Self::any) hit, on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn any_parallel(&self, rays: &[R]) -> Result<Vec<bool>, EnvironmentError>
     where
         Self: Sync,
@@ -89,7 +89,7 @@ pub trait RayQueries<R: Sync> {
     /// Finds [`any_hit`](Self::any_hit) of each ray, on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn any_hit_parallel(&self, rays: &[R]) -> Result<Vec<Option<Self::Hit>>, EnvironmentError>
     where
         Self: Sync,
@@ -100,7 +100,7 @@ pub trait RayQueries<R: Sync> {
     /// Finds [`all`](Self::all) hits of each ray, on all threads.
     ///
     /// # Errors
-    /// [`EnvironmentError`], of any thread that took part.
+    /// [`EnvironmentError`] of any participating thread.
     fn all_parallel(&self, rays: &[R]) -> Result<Vec<Vec<Self::Hit>>, EnvironmentError>
     where
         Self: Sync,
@@ -109,7 +109,7 @@ pub trait RayQueries<R: Sync> {
     }
 }
 
-/// Items that a thread takes at once.
+/// Number of items that a thread takes at a time.
 pub(super) const CHUNK: usize = 256;
 
 /// Answers slices of the items, on all threads.

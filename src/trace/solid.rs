@@ -1,10 +1,10 @@
-//! Inside and outside: which points are in the solid that a closed mesh bounds.
+//! Inside and outside: classification of points by the solid that a closed mesh bounds.
 
 use super::winding::along;
 use super::{Boundary, MeshQueries, OpenEdge, Winding};
 use crate::geom::{Ball, Mesh, RayError, Real as _, Vector};
 
-/// How crossings of a closed mesh tell inside from outside.
+/// Rules that define the inside by crossings of a closed mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Rule {
     /// Points with an odd number of crossings are inside. The mesh must be closed; overlapping parts cancel out.
@@ -13,8 +13,8 @@ pub enum Rule {
     /// Points with a winding number other than 0 are inside. The mesh must be closed and oriented; overlapping parts
     /// unite.
     Nonzero,
-    /// Points with a [winding number](Winding) above 1/2 are inside, whatever the mesh. Where it has holes, this is a
-    /// good guess.
+    /// Points with a [winding number](Winding) above 1/2 are inside, for any mesh. For a mesh with holes, this is a
+    /// good estimate.
     Winding,
 }
 
@@ -22,7 +22,7 @@ impl Rule {
     /// All rules.
     pub const ALL: [Self; 3] = [Self::Parity, Self::Nonzero, Self::Winding];
 
-    /// Its name: `parity`, `nonzero` or `winding`.
+    /// Returns its name: `parity`, `nonzero` or `winding`.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Parity => "parity",
@@ -32,36 +32,36 @@ impl Rule {
     }
 }
 
-/// Where a point is.
+/// The location of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Location {
     /// In the solid.
     Inside,
     /// On a triangle that has an area, exactly.
     Surface,
-    /// Elsewhere.
+    /// Neither inside nor on the surface.
     Outside,
 }
 
-/// Why a rule does not fit a mesh.
+/// Errors of [`Solid::new`]: the rule does not fit the mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SolidError {
-    /// The mesh has an end.
+    /// The mesh is open.
     #[error("the mesh is open: {count} edges are covered an odd number of times{}; rule `winding` fits", named(*.first))]
     Open {
-        /// How many edges are open.
+        /// Number of open edges.
         count: usize,
-        /// An open edge of the first face that has one.
+        /// An open edge of the first face with one.
         first: Option<OpenEdge>,
     },
-    /// The mesh is closed, but its faces do not have one orientation.
+    /// The mesh is closed, but its faces do not have a common orientation.
     #[error(
         "the mesh is not oriented: faces run through {0} edges more often in one direction than in the other; rule `parity` fits"
     )]
     Unoriented(usize),
 }
 
-/// The solid that a mesh bounds, and answers about points: exact ones of closed meshes.
+/// The solid that a mesh bounds, with point queries; they are exact for closed meshes.
 ///
 /// ```
 /// use glam::Vec3;
@@ -85,10 +85,10 @@ pub struct Solid<'t, T, V: Vector> {
 }
 
 impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
-    /// The solid of a mesh by a rule; `tracer` and `boundary` must be made of the mesh.
+    /// Creates the solid of a mesh by a rule; `tracer` and `boundary` must be those of the mesh.
     ///
     /// # Errors
-    /// [`SolidError`] where the rule does not fit.
+    /// [`SolidError`] if the rule does not fit.
     pub fn new(tracer: &'t T, mesh: &'t Mesh<V>, boundary: &'t Boundary, rule: Rule) -> Result<Self, SolidError> {
         if rule != Rule::Winding && !boundary.is_closed() {
             return Err(SolidError::Open { count: boundary.open, first: boundary.first });
@@ -99,13 +99,13 @@ impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
         Ok(Self { tracer, boundary, rule, winding: Winding::new(tracer, mesh, boundary) })
     }
 
-    /// Says where a point is, exactly. `[CLOSED-2]`
+    /// Locates a point, exactly. `[CLOSED-2]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn locate(&self, point: V) -> Result<Location, RayError> {
         let (length, exit) = self.boundary.exit(point.widen());
-        // It leaves the bounds soonest: of a closed mesh all rays say the same.
+        // It leaves the bounds soonest: for a closed mesh all rays give one answer.
         let ray = along(point, exit)?;
         let crossings = |signed| if length < 0.0 { Some(0) } else { self.tracer.crossings_off_surface(&ray, signed) };
         let is_inside = match self.rule {
@@ -120,8 +120,8 @@ impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
         })
     }
 
-    /// Measures how far a point is from the mesh: the float nearest to the exact distance, negative inside. It is 0 on
-    /// triangles without area too, and infinite where there are no triangles. `[NEAR-1]` `[CLOSED-2]`
+    /// Computes the signed distance of a point from the mesh: the float nearest to the exact distance, negative inside.
+    /// It is also 0 on triangles without area, and infinite if there are no triangles. `[NEAR-1]` `[CLOSED-2]`
     ///
     /// ```
     /// use glam::DVec3;
@@ -140,12 +140,12 @@ impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// # Errors
     /// [`RayError`] for a point that is not finite.
     pub fn signed_distance(&self, point: V) -> Result<V::Real, RayError> {
-        // `signed` refuses the points that cannot be the middle of a ball.
+        // `signed` refuses the points that cannot be the center of a ball.
         let near = Ball::around(point).ok().and_then(|ball| self.tracer.nearest(&ball));
         self.signed(point, near.map_or(V::Real::INFINITY, |near| near.distance))
     }
 
-    /// Gives the distance of a point from the mesh its sign: negative inside. `[CLOSED-2]`
+    /// Applies the sign to the distance of a point from the mesh: negative inside. `[CLOSED-2]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.

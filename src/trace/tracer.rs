@@ -1,4 +1,4 @@
-//! The library's front door: queries over a hierarchy of eight children.
+//! The default tracer: queries over a hierarchy of eight children.
 
 mod count;
 mod interleaved;
@@ -26,14 +26,15 @@ use shared::{LaneRay, Query};
 pub(super) use interleaved::with_memory;
 pub(super) use search::LaneRanks;
 
-/// Answers queries over a hierarchy of eight children, exactly: the library's front door.
+/// Answers queries over a hierarchy of eight children, exactly. This is the default tracer.
 ///
-/// It is the fastest of this library, in single and in double precision. [`BinaryTracer`](super::BinaryTracer) is for
-/// other shapes, for other tests and for the traversals of binary trees; its answers are the same, bit for bit. `[DET-1]`
+/// It is the fastest tracer of this library, in single and in double precision. [`BinaryTracer`](super::BinaryTracer)
+/// is for other shapes, other tests and the traversals of binary trees; its answers are identical, bit for bit.
+/// `[DET-1]`
 ///
-/// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or whatever else borrows as one, and `V` the precision, [`Vec3`] or
-/// [`DVec3`](glam::DVec3). The queries are those of [`RayQueries`] and [`MeshQueries`]. Slices of rays are traced
-/// interleaved, two at a time, so that one ray computes while the other waits for memory.
+/// `T` is `WideBvh`, `&WideBvh`, `Arc<WideBvh>`, or another type that borrows as `WideBvh`. `V` is the precision,
+/// [`Vec3`] or [`DVec3`](glam::DVec3). [`RayQueries`] and [`MeshQueries`] have the queries. Rays of a slice are traced
+/// interleaved, two at a time: one ray computes while the other waits for memory.
 ///
 /// ```
 /// use glam::Vec3;
@@ -46,7 +47,7 @@ pub(super) use search::LaneRanks;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
 /// assert_eq!(tracer.any_each(&[ray, ray]), [true, true]);
 ///
-/// // In double precision, on the earth.
+/// // Double precision, at the distance of the earth's surface from its center.
 /// use glam::DVec3;
 /// let [x, y, z] = DVec3::AXES;
 /// let at = DVec3::splat(6.4e6);
@@ -64,64 +65,65 @@ pub struct Tracer<T = WideBvh, V = Vec3> {
 }
 
 impl<V: Precision> Tracer<WideBvh<8, V>, V> {
-    /// A tracer that owns a hierarchy over a mesh, by [`WideBvh::build`].
+    /// Builds a tracer that owns a hierarchy over a mesh, by [`WideBvh::build`].
     ///
     /// # Errors
-    /// [`WideError`], for meshes that are too large.
+    /// [`WideError`], if the mesh is too large.
     pub fn of(mesh: &Mesh<V>) -> Result<Self, WideError> {
         WideBvh::build(mesh).map(Self::new)
     }
 }
 
 impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
-    /// A tracer by [`Method::default`], which fits any hierarchy, with the best instructions of this machine.
+    /// Creates a tracer with [`Method::default`], which fits any hierarchy, and the best instructions of this machine.
     pub fn new(bvh: T) -> Self {
         Self { bvh, method: Method::default(), tables: Tables::NONE, level: Level::new(), precision: PhantomData }
     }
 
-    /// A tracer by any traversal.
+    /// Creates a tracer with the given traversal.
     ///
     /// # Errors
-    /// [`Unsupported`] where the hierarchy has too many levels for it.
+    /// [`Unsupported`] if the hierarchy has too many levels for it.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unsupported> {
         let tables = Tables::of(method, bvh.borrow());
         let tracer = Self { bvh, method, tables, level: Level::new(), precision: PhantomData };
-        // What is unfit is found before the first ray.
+        // Detects an unfit traversal before the first ray.
         tracer.run(&[], HitQuery::Distance, &mut |_, _| ()).map(|()| tracer)
     }
 
-    /// The same with the instructions of another level. The answers are the same.
+    /// Returns this tracer with another instruction level. The answers do not change.
     #[must_use]
     pub fn with_level(self, level: Level) -> Self {
         Self { level, ..self }
     }
 
-    /// The hierarchy.
+    /// Returns the hierarchy.
     pub fn bvh(&self) -> &WideBvh<8, V> {
         self.bvh.borrow()
     }
 
-    /// The traversal.
+    /// Returns the traversal.
     pub const fn method(&self) -> Method {
         self.method
     }
 
-    /// The instructions.
+    /// Returns the instruction level.
     pub const fn level(&self) -> Level {
         self.level
     }
 
-    /// Memory of its tables, in bytes, besides the hierarchy.
+    /// Returns the memory of its tables in bytes, without the hierarchy.
     pub fn bytes(&self) -> usize {
         self.tables.bytes()
     }
 
-    /// Triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
+    /// Returns triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<V>) -> Option<(u32, V::Real)> {
         self.one(ray, HitQuery::Distance).map(distance)
     }
 
-    /// [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`: of as many as both have.
+    /// Computes the [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`. If the
+    /// lengths differ, the shorter slice determines the number of rays.
     pub fn closest_distances(&self, rays: &[Ray<V>], found: &mut [Option<(u32, V::Real)>]) {
         let count = rays.len().min(found.len());
         self.run_fit(&rays[..count], HitQuery::Distance, &mut |i, hit: Option<Hit<V::Real>>| {
@@ -129,8 +131,8 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         });
     }
 
-    /// What a ray wants of an inner node before anything is hit: the children whose boxes it meets, with the ranks by
-    /// which they come. For whoever shows a traversal, or counts. `[LANES-2]`
+    /// Returns the children of an inner node that a ray wants before its first hit: those whose boxes it meets, with
+    /// the ranks that order them. For programs that display or count a traversal. `[LANES-2]`
     pub fn wanted(&self, ray: &Ray<V>, node: Node) -> Wanted<[u32; 8]> {
         let bvh = self.bvh();
         with_baseline!(simd => PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh)).ask(node))
@@ -158,7 +160,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         answers
     }
 
-    /// Whether the traversal fits was found when the tracer was made.
+    /// The constructor has checked that the traversal fits.
     fn run_fit(&self, rays: &[Ray<V>], ask: HitQuery, answer: &mut Answer<'_, V>) {
         let ran = self.run(rays, ask, answer);
         debug_assert_eq!(ran, Ok(()));

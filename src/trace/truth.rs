@@ -1,13 +1,13 @@
-//! The truth about rays and meshes, in rational arithmetic: what every exact query has to answer.
+//! The ground truth about rays and meshes, in rational arithmetic: the required answers of every exact query.
 //!
-//! A ray hits a triangle if the line crosses it, edges and corners included, at an exact `t` with `tmin <= t <= tmax`
-//! ([`crate::geom::truth::meet`]). A triangle of determinant 0 is not hit. Hits are ordered by `t`, then by
-//! primitive; the closest hit is the first one. Its distance is `t` rounded to the nearest `f32`. `[EXACT-1]` For a mesh
-//! and rays in double precision, read `f64`. `[EXACT-7]`
+//! A ray hits a triangle if the line crosses it, including edges and corners, at an exact `t` with `tmin <= t <= tmax`
+//! ([`crate::geom::truth::meet`]). A triangle of determinant 0 is not hit. Hits are ordered by `t`, then by primitive;
+//! the closest hit is the first one. Its distance is `t` rounded to the nearest `f32`. `[EXACT-1]` For a mesh and rays
+//! in double precision, read `f64`. `[EXACT-7]`
 //!
-//! [`brute_force`] is this definition. [`Truth`] gives the same answers sooner, by leaving out triangles that the ray
-//! misses by far. Its hierarchy, its box test and what it knows of triangles are its own and as plain as can be, so that
-//! it does not rest on what it judges.
+//! [`brute_force`] is this definition. [`Truth`] gives the same answers faster, because it skips triangles that the ray
+//! misses by a wide margin. It has a separate, simple hierarchy, box test and triangle test, which share nothing with
+//! the code under test.
 
 mod conservative_cull;
 
@@ -21,26 +21,28 @@ use crate::geom::truth::{Number, Point, RBig, distance_from, meet, round_f64};
 use crate::geom::{Mesh, Ray, Vector};
 use conservative_cull::{Bounds, ConservativeCull};
 
-/// Where a ray truly hits a mesh.
+/// An exact hit of a ray and a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrueHit<R = f32> {
     /// Index of the triangle in the mesh.
     pub prim: u32,
-    /// The float nearest to the distance, in lengths of the direction. Infinite if that is beyond all floats.
+    /// The float nearest to the distance, in units of the length of the direction. Infinite if that is beyond all
+    /// floats.
     pub t: R,
-    /// The point itself, with the exact distance.
+    /// The point, with the exact distance.
     pub point: Point,
 }
 
 impl<R: Number> TrueHit<R> {
-    /// The hit with distance and weights rounded to the nearest floats, ties to even: what an exact query answers.
+    /// Returns the hit with distance and weights rounded to the nearest floats, ties to even: the answer of an exact
+    /// query.
     pub fn rounded(&self) -> Hit<R> {
         let Point { u, v, .. } = &self.point;
         Hit { prim: self.prim, t: self.t, u: R::nearest(u), v: R::nearest(v) }
     }
 }
 
-/// All hits of a ray, by testing every triangle of the mesh, in the order (exact `t`, primitive).
+/// Returns all hits of a ray in the order (exact `t`, primitive), by tests of every triangle of the mesh.
 ///
 /// ```
 /// use glam::Vec3;
@@ -59,7 +61,7 @@ pub fn brute_force<V: Vector>(mesh: &Mesh<V>, ray: &Ray<V>) -> Vec<TrueHit<V::Re
     in_order((0..).zip(corners).filter_map(|(prim, corners)| hit(prim, corners, ray)))
 }
 
-/// The answers of [`brute_force`], in time that does not grow much with the mesh: for tests of many rays.
+/// The answers of [`brute_force`], in time that grows little with the mesh: for tests of many rays.
 ///
 /// ```
 /// use stackless_bvh::generate::procedural;
@@ -77,14 +79,15 @@ pub struct Truth<V: Vector = Vec3> {
     triangles: Vec<Corners<V>>,
     /// The leaves from left to right: all primitives, once each.
     prims: Vec<u32>,
-    /// Of every node in preorder. A node over `n` primitives has `2 n - 1` in its subtree and halves them.
+    /// The box of every node in preorder. A node over `n` primitives has `2 n - 1` nodes in its subtree and halves the
+    /// primitives.
     boxes: Vec<Bounds>,
 }
 
 type Corners<V> = [[<V as Vector>::Real; 3]; 3];
 
 impl<V: Vector> Truth<V> {
-    /// Prepares a mesh; it is copied.
+    /// Prepares a copy of a mesh.
     pub fn new(mesh: &Mesh<V>) -> Self {
         let triangles: Vec<_> = (0..mesh.triangles().len()).map(|prim| corners(mesh, prim)).collect();
         let (mut prims, mut boxes): (Vec<_>, _) = ((0..triangles.len() as u32).collect(), Vec::new());
@@ -92,7 +95,7 @@ impl<V: Vector> Truth<V> {
         Self { triangles, prims, boxes }
     }
 
-    /// The first hit in the order (exact `t`, primitive).
+    /// Returns the first hit in the order (exact `t`, primitive).
     pub fn closest(&self, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
         let (mut candidates, mut first) = (self.candidates(ConservativeCull::new(ray)), None);
         while let Some(prim) = candidates.next() {
@@ -105,12 +108,12 @@ impl<V: Vector> Truth<V> {
         first
     }
 
-    /// Whether there is a hit.
+    /// Returns whether there is a hit.
     pub fn any(&self, ray: &Ray<V>) -> bool {
         self.hits(ray).next().is_some()
     }
 
-    /// Whether a ray from a rational point meets a triangle strictly between 0 and `tmax`. `[SECOND-2]`
+    /// Returns whether a ray from a rational point meets a triangle strictly between 0 and `tmax`. `[SECOND-2]`
     pub fn any_from(&self, origin: &[RBig; 3], direction: V, tmax: V::Real) -> bool {
         let components = |v: V| v.widen().to_array();
         let conservative_cull =
@@ -122,12 +125,12 @@ impl<V: Vector> Truth<V> {
         })
     }
 
-    /// All hits in the order (exact `t`, primitive).
+    /// Returns all hits in the order (exact `t`, primitive).
     pub fn all(&self, ray: &Ray<V>) -> Vec<TrueHit<V::Real>> {
         in_order(self.hits(ray))
     }
 
-    /// All hits, in no particular order.
+    /// Returns all hits, in no particular order.
     fn hits(&self, ray: &Ray<V>) -> impl Iterator<Item = TrueHit<V::Real>> {
         self.candidates(ConservativeCull::new(ray)).filter_map(|prim| hit(prim, self.triangles[prim as usize], ray))
     }
@@ -139,11 +142,12 @@ impl<V: Vector> Truth<V> {
     }
 }
 
-/// The primitives that the ray does not miss by far, nor their boxes, nor any box above; more or less from near to far.
+/// The primitives that the ray does not miss by a wide margin, nor their boxes, nor any box above; roughly from near to
+/// far.
 struct Candidates<'t, V: Vector> {
     truth: &'t Truth<V>,
     conservative_cull: ConservativeCull,
-    /// Where the ray enters a node's box, the node, and its leaves.
+    /// The distance at which the ray enters a node's box, the node, and its leaves.
     waiting: Vec<(f64, usize, Range<usize>)>,
 }
 
@@ -170,13 +174,13 @@ impl<V: Vector> Iterator for Candidates<'_, V> {
             let entered =
                 |(node, leaves): (usize, _)| conservative_cull.entry(&boxes[node]).map(|near| (near, node, leaves));
             waiting.extend(children.into_iter().filter_map(entered));
-            // The nearer one is taken first.
+            // The nearer child is taken first.
             waiting[first..].sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
         }
     }
 }
 
-/// The hit of one triangle, if the ray hits it.
+/// Returns the hit of one triangle, if the ray hits it.
 fn hit<V: Vector>(prim: u32, corners: Corners<V>, ray: &Ray<V>) -> Option<TrueHit<V::Real>> {
     let meeting = meet(corners, ray.origin().components(), ray.direction().components());
     let point = meeting.within([ray.tmin(), ray.tmax()])?;
@@ -197,8 +201,8 @@ fn corners<V: Vector>(mesh: &Mesh<V>, prim: usize) -> Corners<V> {
     mesh.triangle(prim).map(Vector::components)
 }
 
-/// Adds the boxes of the tree over `prims`, at least one, and sorts these: along the axis on which the middles of
-/// their boxes differ most, halved, and again.
+/// Adds the boxes of the tree over `prims`, at least one, and sorts `prims`: it halves them along the axis on which the
+/// centers of their boxes differ most, recursively.
 fn build<V: Vector>(triangles: &[Corners<V>], prims: &mut [u32], boxes: &mut Vec<Bounds>) {
     let bounds = |&prim: &u32| Bounds::of::<V>(&triangles[prim as usize]);
     let middles = |prim: &u32| bounds(prim).middle();

@@ -1,29 +1,29 @@
-//! The winding number of any mesh, closed or not.
+//! The winding number of any mesh, closed or open.
 //!
 //! # Idea
 //!
 //! The winding number of a surface S about a point q is the solid angle that S spans as seen from q, over 4π. The
 //! number of times that S covers a direction changes only across the border of S, by 1. The fan of triangles from the
-//! direction -e to all edges of the border has the same border, and does not cover e. So the two differ by a constant,
-//! the number of signed crossings of the ray from q along e:
+//! direction -e to all edges of the border has the same border, and does not cover e. So the two numbers differ by a
+//! constant, the number of signed crossings of the ray from q along e:
 //!
 //! ```text
 //! winding(q) = crossings(q, e) + 1/(4π) · sum of solid_angle(-e, a - q, b - q) over the edges (a, b) of the border
 //! ```
 //!
-//! The crossings are exact, so a mesh without a border has exact integers. The sum takes one arc tangent for each edge
-//! of the border (Van Oosterom & Strackee 1983, "The solid angle of a plane triangle"), however many triangles there
-//! are, and fewer from afar: [`Boundary`] has the border as a hierarchy. `[WINDING-1]`
+//! The crossings are exact, so a mesh without a border has exact integers. The sum needs one arc tangent for each edge
+//! of the border (Van Oosterom & Strackee 1983, "The solid angle of a plane triangle"), for any number of triangles.
+//! [`Boundary`] keeps the border as a hierarchy, so that distant edges need fewer. `[WINDING-1]`
 
 use glam::DVec3;
 
 use super::{Boundary, MeshQueries};
 use crate::geom::{Mesh, Ray, RayError, Real as _, Vector, fan};
 
-/// The winding numbers of a mesh: about how often its surface winds around a point.
+/// The winding numbers of a mesh: the number of times that its surface winds around a point.
 ///
-/// In a closed mesh whose faces are seen counterclockwise from outside it is 1 inside and 0 outside. A hole changes it
-/// by the part of the view that the hole takes up. Of a point on the surface it is that of one side.
+/// In a closed mesh whose faces are counterclockwise seen from outside, the number is 1 inside and 0 outside. A hole
+/// changes it by the hole's fraction of the view. For a point on the surface it is the number of one side.
 ///
 /// ```
 /// use glam::DVec3;
@@ -47,14 +47,15 @@ pub struct Winding<'t, T, V: Vector> {
     tolerance: f64,
 }
 
-/// The error of an edge of the border that is not computed again by more digits.
+/// Greatest error of an edge of the border that is not computed again with more digits.
 const CLOSE: f64 = 1e-12;
 
-/// The error that rounding may leave a number where one of the directions allows it. `[WINDING-2]`
+/// Its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or closer to
+/// it than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
 const TOLERANCE: f64 = 1e-9;
 
-/// Directions of rays, which are tried after the one that leaves the mesh soonest. The first are fast, but often meet edges
-/// of boxes; the last rarely meet an edge.
+/// Directions of rays, tried after the one that leaves the mesh soonest. The first are fast, but often meet edges of
+/// boxes; the last rarely meet an edge.
 const DIRECTIONS: [[i8; 3]; 12] = [
     [1, 0, 0],
     [0, 1, 0],
@@ -71,21 +72,21 @@ const DIRECTIONS: [[i8; 3]; 12] = [
 ];
 
 impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
-    /// The winding numbers of a mesh; `tracer` and `boundary` must be made of it.
+    /// Prepares the winding numbers of a mesh; `tracer` and `boundary` must be those of the mesh.
     pub fn new(tracer: &'t T, mesh: &'t Mesh<V>, boundary: &'t Boundary) -> Self {
         Self { tracer, vertices: mesh.vertices(), boundary, tolerance: 1e-6 }
     }
 
-    /// The same with another bound of the error than 1e-6. A smaller one takes longer, and below 1e-9 it is 1e-9.
+    /// Sets the bound of the error, 1e-6 by default. A smaller bound takes longer; the least bound is 1e-9.
     #[must_use]
     pub const fn with_tolerance(&self, tolerance: f64) -> Self {
         Self { tolerance, ..*self }
     }
 
-    /// The winding number of a point: without an error for a mesh without a border.
+    /// Returns the winding number of a point: without an error for a mesh without a border.
     ///
-    /// Otherwise its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or next
-    /// to it by less than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
+    /// Its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or closer to
+    /// it than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.
@@ -94,7 +95,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
         Ok(f64::from(self.tracer.winding(&ray)) + fan)
     }
 
-    /// Whether the number is above 1/2. `None` if the point is on a triangle that has an area.
+    /// Returns whether the number is above 1/2; `None` if the point is on a triangle with an area.
     pub(super) fn is_inside(&self, point: V) -> Result<Option<bool>, RayError> {
         let (ray, fan) = self.ray_and_fan(point)?;
         let number = self.tracer.crossings_off_surface(&ray, true).map(|winding| f64::from(winding) + fan);
@@ -104,7 +105,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
         Ok(number.map(|number| number > 0.5))
     }
 
-    /// A ray from a point, and what the fan from its opposite adds to the number of crossings.
+    /// Returns a ray from a point, and the contribution of the fan from its opposite.
     fn ray_and_fan(&self, point: V) -> Result<(Ray<V>, f64), RayError> {
         let fan = |e: [i8; 3]| self.fan(point.widen(), DVec3::from(e.map(f64::from)));
         let (_, exit) = self.boundary.exit(point.widen());
@@ -122,7 +123,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
         Ok((along(point, e)?, fan.number))
     }
 
-    /// The fan from the opposite of the direction `e`, as seen from a point.
+    /// Computes the fan from the opposite of the direction `e`, as seen from a point.
     fn fan(&self, point: DVec3, e: DVec3) -> Fan {
         let (mut fan, unit) = (Fan { number: 0.0, error: 0.0 }, e.normalize());
         let far = self.boundary.tree(self.vertices).fan(point, unit, self.tolerance - TOLERANCE, |ends| {
@@ -137,7 +138,7 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
     }
 }
 
-/// The ray from a point in a direction.
+/// Returns the ray from a point in a direction.
 pub(super) fn along<V: Vector>(point: V, direction: [i8; 3]) -> Result<Ray<V>, RayError> {
     Ray::new(point, vector(direction))
 }
@@ -151,7 +152,7 @@ pub(super) fn vector<V: Vector>(direction: [i8; 3]) -> V {
 struct Fan {
     /// Its part of the winding number.
     number: f64,
-    /// The most that rounding may have changed that.
+    /// Bound of its rounding error.
     error: f64,
 }
 

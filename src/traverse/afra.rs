@@ -10,8 +10,8 @@ use crate::tree::{Node, Recorded, Topology};
 
 /// Climbs while bit 0 of the trail is clear, then goes to the sibling; done when the trail is 0. `[AFRA-1]`
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it
-/// (Binder & Keller 2016, Section 2.3).
+/// With [`Disjoint`](super::Disjoint) for `M` it has a second trail, which lets a hit prune the nodes behind it (Binder
+/// & Keller 2016, Section 2.3).
 #[derive(Debug)]
 pub struct Afra<'t, W, T, M = ()> {
     tree: &'t T,
@@ -24,8 +24,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Afra<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] where the tree names no parents and siblings, and [`Unsupported::TooDeep`] beyond as many edges as
-    /// the word has bits.
+    /// [`Unsupported::NoLinks`] if the tree has no parents and siblings, and [`Unsupported::TooDeep`] for trees deeper
+    /// than the bits of the word.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::ParentSibling)?;

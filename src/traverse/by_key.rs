@@ -1,4 +1,4 @@
-//! Key and trail, and a table from keys to addresses: backtracking in constant time and nothing else.
+//! Key and trail, and only a table from keys to addresses: backtracking in constant time.
 
 use super::Cursor;
 use crate::event::State;
@@ -8,7 +8,7 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology};
 
-/// Finds every node, children too, by its key.
+/// Finds every node, including children, by its key.
 ///
 /// With [`Complete`](super::Complete) this is the constant-time traversal of complete trees (Binder & Keller 2016,
 /// Section 1.1), with [`Glassner`](super::Glassner) the traversal by hashed paths of Glassner (1984).
@@ -21,10 +21,10 @@ pub struct ByKey<W, L> {
 }
 
 impl<W: KeyWord, L: Lookup<W>> ByKey<W, L> {
-    /// Starts at the root of the tree that the table was made for.
+    /// Starts at the root of the table's tree.
     ///
     /// # Errors
-    /// [`TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the key would lose its leading one: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, lookup: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;

@@ -34,7 +34,7 @@ impl fmt::Display for NotComplete {
 impl core::error::Error for NotComplete {}
 
 impl Complete {
-    /// Memory of the addresses, in bytes.
+    /// Returns the memory of the addresses, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes)
     }

@@ -7,14 +7,14 @@ use crate::hash::{Lookup, fold, for_each_folded_key};
 use crate::key::KeyWord;
 use crate::tree::{Keys, Node, Topology};
 
-/// A chained hash table from keys to nodes: one bucket for each node, the bucket being the key modulo their number.
+/// A chained hash table from keys to nodes: one bucket for each node; the bucket is the key modulo their number.
 /// `[GLASSNER-1]`
 ///
-/// Binder & Keller (2016, Section 1.1) name its two costs, which the perfect hash avoids: keys are compared, and a
-/// loop walks the chain. Keys longer than 64 bits are folded to choose the bucket, and compared in full.
+/// Binder & Keller (2016, Section 1.1) name its two costs, which the perfect hash avoids: keys are compared, and a loop
+/// walks the chain. Keys longer than 64 bits are folded to select the bucket, and compared in full.
 #[derive(Clone, Debug)]
 pub struct Glassner {
-    /// Number of the first entry of each bucket, plus one; 0 where it is empty.
+    /// Number of the first entry of each bucket, plus one; 0 if it is empty.
     buckets: Vec<u32>,
     entries: Vec<Entry>,
     keys: Keys,
@@ -23,19 +23,19 @@ pub struct Glassner {
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     node: Node,
-    /// Where the node's key is stored.
+    /// The slot of the node's stored key.
     slot: u32,
     /// Number of the next entry of the bucket, plus one; 0 at the end.
     next: u32,
 }
 
 impl Glassner {
-    /// Memory of buckets, entries and keys, in bytes.
+    /// Returns the memory of buckets, entries and keys, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.buckets) + size_of_val(&*self.entries) + self.keys.bytes()
     }
 
-    /// The table of all nodes of a tree.
+    /// Builds the table of all nodes of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         let count = tree.node_count();
         let (mut buckets, mut entries) = (vec![0; count], Vec::with_capacity(count));
@@ -63,7 +63,7 @@ impl<W: KeyWord> Lookup<W> for Glassner {
     }
 }
 
-/// Keys are compared: any seed will do.
+/// Keys are compared, so any seed is valid.
 const SEED: u64 = 0;
 
 #[inline]

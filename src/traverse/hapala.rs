@@ -1,20 +1,20 @@
-//! Hapala et al. 2011: parent references and a three-state automaton; the order is asked again on the way up.
+//! Hapala et al. 2011: parent references and a three-state automaton; the order is queried again on the way up.
 
 use super::{Cursor, Unsupported};
 use crate::order::{Descent, FixedOrder};
 use crate::tree::{Node, Recorded, Topology};
 
-/// Climbs until it comes from a near child, then goes to the far one. No trail: whether a child was the near one is
-/// asked of the order again, which therefore has to be fixed for the ray (the sign of its direction). `[HAPALA-1]`
+/// Climbs until it comes from a near child, then goes to the far one. There is no trail: the order is queried again for
+/// the near child, so it must be fixed for the ray (by the sign of its direction). `[HAPALA-1]`
 ///
-/// The visitor tests a node at its visit and wants both children, the near one first
-/// ([`ByNode`](crate::order::ByNode) does). The paper starts at the root's near child; here the root is visited too.
+/// The visitor tests a node at its visit and wants both children, the near one first ([`ByNode`](crate::order::ByNode)
+/// does). The paper starts at the root's near child; here the root is visited too.
 #[derive(Debug)]
 pub struct Hapala<'t, T, O> {
     tree: &'t T,
     order: O,
     node: Node,
-    /// The automaton's state: arrived from the parent (so this is the near child), else from the sibling.
+    /// The automaton's state: arrived from the parent (so this is the near child), or from the sibling.
     from_parent: bool,
 }
 
@@ -22,7 +22,7 @@ impl<'t, T: Topology, O: FixedOrder> Hapala<'t, T, O> {
     /// Starts at the root. The state does not grow with the depth.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] where the tree names no parents and siblings.
+    /// [`Unsupported::NoLinks`] if the tree has no parents and siblings.
     #[inline]
     pub fn new(tree: &'t T, order: O) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::ParentSibling)?;

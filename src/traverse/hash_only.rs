@@ -1,4 +1,4 @@
-//! Binder & Keller 2016, Section 2.2, without register and uncles: every backtrack asks the table.
+//! Binder & Keller 2016, Section 2.2, without register and uncles: every backtrack queries the table.
 
 use core::mem::take;
 
@@ -10,8 +10,8 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology};
 
-/// Children by their parent's record, postponed nodes by their key. "In principle hashing node keys is sufficient for
-/// traversal": this is the principle, which needs the keys of all nodes. `[HASHONLY-1]`
+/// Finds children by their parent's record, and postponed nodes by their key. "In principle hashing node keys is
+/// sufficient for traversal": this is the principle, which needs the keys of all nodes. `[HASHONLY-1]`
 #[derive(Debug)]
 pub struct HashOnly<'t, W, T, L> {
     tree: &'t T,
@@ -25,7 +25,7 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>> HashOnly<'t, W, T, L> {
     /// Starts at the root. The table must have the keys of all nodes but the root.
     ///
     /// # Errors
-    /// [`TooDeep`] where the key would lose its leading one: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the key would lose its leading one: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T, lookup: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;

@@ -12,9 +12,9 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Recorded, Topology};
 
-/// Goes to the register's node where it is set, else to the one that the table has for the key. `[HASHED-1]`
+/// Goes to the register's node if it is set, otherwise to the node of the key in the table. `[HASHED-1]`
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it
+/// With [`Disjoint`](super::Disjoint) for `M` it has a second trail, which lets a hit prune the nodes behind it
 /// (Section 2.3).
 #[derive(Debug)]
 pub struct Hashed<'t, W, T, L, M = ()> {
@@ -31,8 +31,8 @@ impl<'t, W: KeyWord, T: Topology, L: Lookup<W>, M: Marks<W>> Hashed<'t, W, T, L,
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] where the tree names no uncles, and [`Unsupported::TooDeep`] where the key would lose its
-    /// leading one: beyond as many edges as the word has bits, less one.
+    /// [`Unsupported::NoLinks`] if the tree has no uncles, and [`Unsupported::TooDeep`] if the key would lose its
+    /// leading one: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T, lookup: L) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::Uncles)?;

@@ -10,7 +10,7 @@ use crate::order::Descent;
 use crate::swap;
 use crate::tree::{Node, Topology};
 
-/// Algorithm 2 as printed: `levelStart`, `levelIndex` of a left-first walk, and the mask of swapped levels.
+/// Algorithm 2 as printed: `levelStart`, `levelIndex` of a left-first traversal, and the mask of swapped levels.
 /// `[IMPLICIT-1]`
 #[derive(Debug)]
 pub struct ImplicitA<W, L> {
@@ -23,7 +23,7 @@ pub struct ImplicitA<W, L> {
 
 /// Algorithm 2 with the combined index: `index = levelStart + levelIndex` in one word. `[IMPLICIT-3]`
 ///
-/// At the terminal carry the index has one bit more than the key: it carries one edge less than the other forms.
+/// At the terminal carry the index has one more bit than the key: it carries one edge less than the other forms.
 #[derive(Debug)]
 pub struct ImplicitA1<W, L> {
     layout: L,
@@ -36,7 +36,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] where `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if `levelStart` would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
@@ -54,7 +54,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] where the combined index would wrap: beyond as many edges as the word has bits, less two.
+    /// [`TooDeep`] if the combined index would wrap: for trees deeper than the bits of the word, less two.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 2)?;
@@ -62,11 +62,11 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitA1<W, L> {
     }
 }
 
-/// The mask's new bit: whether the children are swapped.
+/// Returns the mask's new bit: whether the children are swapped.
 ///
-/// If both are wanted they are where the right one comes first. If one is, the index counts it as the second, so they
-/// are where it is the left one. (Printed: set if "right child first", toggled if one is rejected, where a rejected
-/// left child has to count as right first; spec/DEPARTURES.md, D-10.)
+/// If both are wanted, they are swapped if the right one comes first. If one is wanted, the index counts it as the
+/// second, so they are swapped if it is the left one. (Printed: set if "right child first", toggled if one is rejected,
+/// where a rejected left child must count as right first; spec/DEPARTURES.md, D-10.)
 #[inline]
 fn mask_bit<W: KeyWord>(descent: Descent) -> W {
     descent.first().bit::<W>().xor(&branched(!descent.postpones()))

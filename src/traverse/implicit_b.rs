@@ -32,7 +32,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] where `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if `levelStart` would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
@@ -50,7 +50,7 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB1<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] where the index would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the index would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
@@ -58,14 +58,14 @@ impl<W: KeyWord, L: Lookup<W>> ImplicitB1<W, L> {
     }
 }
 
-/// One level down: the path takes the side, the counter a 1 where a child was rejected.
+/// Descends one level: the path takes the side, the counter a 1 if a child was rejected.
 #[inline]
 fn down<W: KeyWord>(path: &mut W, counter: &mut W, descent: Descent) {
     *path = key::child(take(path), descent.first().bit());
     *counter = key::child(take(counter), branched(!descent.postpones()));
 }
 
-/// Up as far as the counter's increment carries, then to the sibling. The levels climbed.
+/// Climbs as far as the counter's increment carries, then goes to the sibling. Returns the number of levels.
 ///
 /// As printed the last step is `x + 1 - 2 (x & 1)`, which is `x ^ 1`.
 #[inline]

@@ -9,13 +9,14 @@ use crate::tree::{Node, Topology};
 /// The restart trail with a short stack of `K` nodes (0, 1, 2, 4, 8 in Barringer & Akenine-Möller's measurements).
 /// `[LAINE-1]`
 ///
-/// One bit of the trail belongs to each level, the highest to the root's: 0 while the first child's subtree is being
-/// visited and the second is postponed, 1 when it is the second's turn, or where only one was wanted. To backtrack is
-/// to add 1 at the current level: the carry runs to the deepest level with a postponed node, the pop level. If the
-/// short stack has lost that node, traversal starts again at the root and follows the trail, asking the visitor again.
+/// Each level has one bit of the trail, the root's level the highest. A bit is 0 while the first child's subtree is
+/// being visited and the second is postponed. It is 1 during the second child's visit, or if only one child was wanted.
+/// A backtrack adds 1 at the current level: the carry runs to the deepest level with a postponed node, the pop level.
+/// If the short stack has lost that node, the traversal starts again at the root and follows the trail, with repeated
+/// queries of the visitor.
 ///
-/// The ray may have become shorter since: at the pop level a node that wanted two children may want one, the first,
-/// which is done; then there is nowhere to go and the trail is advanced again.
+/// The ray may have become shorter in between: at the pop level a node that wanted two children may want one, the
+/// first, which is done. Then there is no child to enter, and the trail is advanced again.
 #[derive(Debug)]
 pub struct Laine<'t, const K: usize, W, T> {
     tree: &'t T,
@@ -23,7 +24,7 @@ pub struct Laine<'t, const K: usize, W, T> {
     trail: W,
     /// The highest bit, the level of the root: set by the last carry.
     top: W,
-    /// The bit of the level at which the node was chosen.
+    /// The bit of the node's level.
     level: W,
     /// The bit of the level at which the last backtrack changed sides; 0 before the first.
     pop_level: W,
@@ -34,7 +35,7 @@ impl<'t, const K: usize, W: KeyWord, T: Topology> Laine<'t, K, W, T> {
     /// Starts at the root. Words that grow have no top bit, and are refused.
     ///
     /// # Errors
-    /// [`TooDeep`] beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, TooDeep> {
         let Some(level) = W::highest() else {
@@ -46,7 +47,7 @@ impl<'t, const K: usize, W: KeyWord, T: Topology> Laine<'t, K, W, T> {
         Ok(Self { tree, node: tree.root(), trail, top: level.clone(), level, pop_level, short })
     }
 
-    /// Whether the trail has a 1 at this level.
+    /// Returns whether the trail has a 1 at this level.
     #[inline]
     fn is_set(&self, level: &W) -> bool {
         !self.trail.clone().and(level).is_zero()
@@ -92,7 +93,7 @@ impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
 
     #[inline(always)]
     fn backtrack(&mut self) -> bool {
-        // Clear the bits below the level, which are those of the path that is left, and add 1 at the level.
+        // Clears the bits below the level, which belong to the completed path, and adds 1 at the level.
         let above = W::zero().wrapping_sub(&self.level);
         self.trail = core::mem::take(&mut self.trail).and(&above).wrapping_add(&self.level);
         self.pop_level = self.trail.clone().and(&W::zero().wrapping_sub(&self.trail));
@@ -110,11 +111,11 @@ impl<const K: usize, W: KeyWord, T: Topology> Cursor for Laine<'_, K, W, T> {
     }
 }
 
-/// The latest `K` nodes that were pushed; older ones are lost.
+/// The latest `K` pushed nodes; older ones are lost.
 #[derive(Debug)]
 struct ShortStack<const K: usize> {
     nodes: [Node; K],
-    /// Where the next node goes.
+    /// The place of the next pushed node.
     head: usize,
     len: usize,
 }
@@ -146,8 +147,8 @@ mod tests {
 
     #[test]
     fn a_child_that_is_culled_at_the_pop_level_is_not_replaced_by_its_sibling() {
-        // The hit in the first leaf, at 1, culls the second, which is entered at 5: the restart finds one child wanted
-        // where there were two, and that one is done.
+        // The hit in the first leaf, at 1, culls the second, which is entered at 5: the restart finds one wanted child
+        // instead of two, and that one is done.
         let tree = Tree::new(&[Some([1, 2]), None, None]).unwrap();
         let first = Cell { hit: Some(1), ..Cell::default() };
         let second = Cell { enter: 5, hit: Some(6), ..Cell::default() };
@@ -155,7 +156,7 @@ mod tests {
         let mut search = Search::new(&tree, &tape, false);
         traverse(Laine::<0, u32, _>::new(&tree).unwrap(), &mut search, &mut ());
         assert_eq!((search.outcome.hit, search.outcome.leaf_visits), (Some((1, 1)), 1));
-        // A short stack hands the node out without asking again.
+        // A short stack returns the node without a repeated query.
         let mut search = Search::new(&tree, &tape, false);
         traverse(Laine::<1, u32, _>::new(&tree).unwrap(), &mut search, &mut ());
         assert_eq!((search.outcome.hit, search.outcome.leaf_visits), (Some((1, 1)), 2));

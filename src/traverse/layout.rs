@@ -4,7 +4,7 @@ use crate::hash::{KeyMap, Lookup};
 use crate::key::KeyWord;
 use crate::tree::{Implicit, Node, Topology};
 
-/// The implicit layout of a tree, or, where that would be too large, a map from all keys.
+/// The implicit layout of a tree, or a map from all keys if the layout would be too large.
 #[derive(Debug)]
 pub enum Layout {
     /// The layout.

@@ -8,7 +8,7 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Topology};
 
-/// Two integers, the start of a level and an index in it, are all the state. `[LEFT-1]`
+/// The state is two integers, the start of a level and an index in it. `[LEFT-1]`
 ///
 /// The visitor accepts a node with `Both { first: Left }` or rejects it with `Neither`
 /// ([`ByNode`](crate::order::ByNode) with [`order::LeftOrder`](crate::order::LeftOrder) does): there are no other
@@ -25,7 +25,7 @@ impl<W: KeyWord, L: Lookup<W>> LeftFirst<W, L> {
     /// Starts at the root of a tree in the given layout.
     ///
     /// # Errors
-    /// [`TooDeep`] where `levelStart` would leave its word: beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if `levelStart` would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &impl Topology, layout: L) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;

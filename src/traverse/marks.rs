@@ -1,4 +1,4 @@
-//! The second trail: which postponed nodes need not be visited once something has been found.
+//! The second trail: the postponed nodes that can be skipped once something has been found.
 
 use core::fmt::Debug;
 use core::mem::take;
@@ -6,21 +6,21 @@ use core::mem::take;
 use crate::key::KeyWord;
 use crate::trail;
 
-/// What a traversal keeps of the marks of its descents: nothing, `()`, or a bit a level, [`Disjoint`].
+/// The marks that a traversal stores for its descents: none, `()`, or one bit per level, [`Disjoint`].
 pub trait Marks<W>: Default + Debug {
-    /// Whether it keeps anything.
+    /// Whether it stores marks.
     const PRUNES: bool;
 
-    /// On a descent: whether the sibling is disjoint.
+    /// Records on a descent whether the sibling is disjoint.
     fn descend(&mut self, disjoint: bool);
 
-    /// On backtracking by so many levels.
+    /// Drops the marks of a number of levels, on backtracking.
     fn climb(&mut self, levels: u32);
 
-    /// The bits, if there are any.
+    /// Returns the bits, if there are any.
     fn get(&self) -> Option<W>;
 
-    /// Takes over the bits of a traversal that was put aside; none where they are not known.
+    /// Restores the bits of a paused traversal; none if they are unknown.
     fn set(&mut self, bits: Option<W>);
 }
 
@@ -40,12 +40,12 @@ impl<W> Marks<W> for () {
     fn set(&mut self, _: Option<W>) {}
 }
 
-/// A bit a level, shifted with the trail: 1 where all that is below the node comes before all that is below its
+/// One bit per level, shifted with the trail: 1 if all candidates below the node come before all candidates below its
 /// sibling. `[DISJOINT-1]`
 ///
 /// This is the complement of Binder & Keller's `disjointIntervalsTrail` (2016, Section 2.3), which has 1 where
-/// intervals are *not* disjoint: so zeros, which shift in, say that nothing is known, and traversals without trail,
-/// which count in complements, take the bits as they are.
+/// intervals are *not* disjoint. So the zeros that shift in mean "unknown", and traversals without trail, which count
+/// in complements, use the bits unchanged.
 #[derive(Clone, Debug, Default)]
 pub struct Disjoint<W>(W);
 
@@ -54,7 +54,7 @@ impl<W: KeyWord> Marks<W> for Disjoint<W> {
 
     #[inline(always)]
     fn descend(&mut self, disjoint: bool) {
-        // Without a branch: no address waits for it, and it is hard to predict.
+        // Without a branch: no address depends on it, and it is hard to predict.
         self.0 = trail::child(take(&mut self.0), W::from_bit(disjoint));
     }
 
@@ -72,7 +72,7 @@ impl<W: KeyWord> Marks<W> for Disjoint<W> {
     }
 }
 
-/// The trail without the postponed nodes that are disjoint from what has been found. `[DISJOINT-2]`
+/// Returns the trail without the postponed nodes that are disjoint from the found candidate. `[DISJOINT-2]`
 #[inline(always)]
 pub(super) fn prune<W: KeyWord>(trail: W, marks: &impl Marks<W>) -> W {
     match marks.get() {

@@ -1,4 +1,4 @@
-//! What the [table](super::Method) says of a traversal.
+//! The properties of traversals in the [table](super::Method).
 
 use alloc::format;
 use alloc::string::String;
@@ -8,14 +8,14 @@ use crate::key::{Grow, KeyWord};
 use crate::order::Pruning;
 use crate::tree::Recorded;
 
-/// What a traversal tests at a visit, and in which order it takes the children: which oracle it is held to.
+/// The tests of a traversal at a visit, and its order of the children. They determine its oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Test {
     /// Both children at their parent's visit, in any order.
     Children,
-    /// The same; postponed nodes that are disjoint from what is found are left out. `[ORACLE-2]`
+    /// As `Children`; postponed nodes that are disjoint from the found candidate are skipped. `[ORACLE-2]`
     Disjoint,
-    /// The same; postponed nodes that begin beyond the end of the search are left out. `[ORACLE-3]`
+    /// As `Children`; postponed nodes that begin beyond the end of the search are skipped. `[ORACLE-3]`
     Distance,
     /// The node itself at its visit; left before right.
     NodeLeftFirst,
@@ -24,10 +24,10 @@ pub enum Test {
 }
 
 impl Test {
-    /// All of them.
+    /// All tests.
     pub const ALL: [Self; 5] = [Self::Children, Self::Disjoint, Self::Distance, Self::NodeLeftFirst, Self::NodeBySign];
 
-    /// Which postponed nodes are not visited.
+    /// Returns the pruning of postponed nodes.
     pub const fn pruning(self) -> Pruning {
         match self {
             Self::Disjoint => Pruning::Disjoint,
@@ -37,7 +37,7 @@ impl Test {
     }
 }
 
-/// What a traversal needs beside the tree and its links.
+/// The tables that a traversal needs, in addition to the tree and its links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Need {
     /// Nothing.
@@ -46,7 +46,7 @@ pub enum Need {
     ReachedKeys,
     /// A perfect hash of all keys.
     AllKeys,
-    /// The implicit layout, or a map in its place.
+    /// The implicit layout, or a map instead.
     Layout,
     /// The addresses of a complete tree.
     Complete,
@@ -59,7 +59,7 @@ pub enum Need {
 }
 
 impl Need {
-    /// In a few words.
+    /// Returns a short description.
     const fn text(self) -> &'static str {
         match self {
             Self::Nothing => "",
@@ -74,27 +74,27 @@ impl Need {
     }
 }
 
-/// Which words there are in the state.
+/// The words in the state.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Words {
     /// None.
     None,
-    /// Of any kind.
+    /// Words of any type.
     Any,
-    /// Of a fixed width: aligned to a highest bit, which a growing word has not.
+    /// Words of a fixed width: aligned to a highest bit, which a growing word lacks.
     Fixed,
 }
 
-/// What the cursor can do.
+/// The capabilities of the cursor.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Takes decisions on both children at their parent.
     ByParent,
-    /// The same, and asks again on the way down from the root.
+    /// As `ByParent`, with repeated queries on the way down from the root.
     Restarting,
-    /// The same as the first, and can be put aside.
+    /// As `ByParent`, and can be paused.
     Pausing,
-    /// Takes tests of nodes at their visit, in an order that is fixed.
+    /// Takes tests of nodes at their visit, in a fixed order.
     ByNode,
 }
 
@@ -113,77 +113,78 @@ pub(super) struct Row {
 }
 
 impl Default for Method {
-    /// What the ray tracer takes if nothing is said: it runs on any tree. What it was chosen by: `benches/README.md`.
+    /// The ray tracer's default: it runs on any tree. `benches/README.md` has the reasons for the choice.
     fn default() -> Self {
         Self::Afra
     }
 }
 
 impl Method {
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         self.row().name
     }
 
-    /// Who has published it, and where there.
+    /// Returns the publication, with the section.
     pub const fn by(self) -> &'static str {
         self.row().by
     }
 
-    /// The clause of the specification that defines it.
+    /// Returns the clause of the specification that defines it.
     pub const fn clause(self) -> &'static str {
         self.row().clause
     }
 
-    /// How it works, in a sentence.
+    /// Returns a description in one sentence.
     pub const fn help(self) -> &'static str {
         self.row().help
     }
 
-    /// What it tests.
+    /// Returns its test.
     pub const fn test(self) -> Test {
         self.row().test
     }
 
-    /// What it wants the records to name besides the children, not to need a table beside the tree.
+    /// Returns the links that it expects in the records, in addition to the children; without them it needs a separate
+    /// table.
     pub const fn wants_recorded(self) -> Recorded {
         self.row().links
     }
 
-    /// What it needs beside the tree and its links.
+    /// Returns the tables that it needs, in addition to the tree and its links.
     pub const fn needs(self) -> Need {
         self.row().need
     }
 
-    /// Whether its state is of constant size and can be put aside ([`Pause`](super::Pause)).
+    /// Returns whether its state is of constant size and can be paused ([`Pause`](super::Pause)).
     pub const fn can_pause(self) -> bool {
         matches!(self.row().kind, Kind::Pausing)
     }
 
-    /// The same traversal, with no postponed nodes left out: for searches that are not ordered.
+    /// Returns this traversal without pruning: for unordered searches.
     #[must_use]
     pub const fn without_pruning(self) -> Self {
         self.row().without
     }
 
-    /// The same traversal with a second trail, where that exists.
+    /// Returns this traversal with a second trail, if that exists.
     pub fn with_second_trail(self) -> Option<Self> {
         let prunes_as_this = |other: &Self| other.without_pruning() == self && *other != self && other.can_pause();
         Self::ALL.into_iter().find(prunes_as_this)
     }
 
-    /// Whether it asks the visitor again on the way down from the root, so that its trace is the oracle's only
-    /// where the answers do not change.
+    /// Returns whether it queries the visitor again on the way down from the root. Then its trace is the oracle's only
+    /// if the answers do not change.
     pub const fn restarts(self) -> bool {
         matches!(self.row().kind, Kind::Restarting)
     }
 
-    /// Whether its state has words, and so comes in several widths. The others are run once.
+    /// Returns whether its state has words, and so has several widths. Traversals without words run once.
     pub const fn has_words(self) -> bool {
         !matches!(self.row().words, Words::None)
     }
 
-    /// Whether it exists for this word.
+    /// Returns whether it exists for this word.
     pub fn exists_for<W: KeyWord>(self) -> bool {
         W::WIDTH.is_some() || self.row().words != Words::Fixed
     }
@@ -192,7 +193,7 @@ impl Method {
         if self.exists_for::<W>() { Ok(()) } else { Err(Unsupported::NoSuchWord { word: W::NAME }) }
     }
 
-    /// [`state_bytes`](Self::state_bytes) for a word that is known only when the program runs.
+    /// Computes [`state_bytes`](Self::state_bytes) for a word that is known only at run time.
     pub fn state_bytes_in(self, word: WordName, depth: u32) -> usize {
         match word {
             WordName::U32 => self.state_bytes::<u32>(depth),
@@ -202,7 +203,7 @@ impl Method {
         }
     }
 
-    /// All traversals as a table in Markdown: the README's.
+    /// Returns all traversals as a table in Markdown: the README's.
     pub fn markdown() -> String {
         let head = "| name | by | additional requirements | bytes of state, 32-bit keys |\n|---|---|---|---:|\n";
         Self::ALL.into_iter().fold(String::from(head), |table, method| table + &method.markdown_row())

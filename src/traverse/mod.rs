@@ -1,9 +1,9 @@
-//! The traversals: one loop, and one file for each way to find the next node.
+//! The traversals: one loop, and one file for each algorithm that finds the next node.
 //!
-//! A [`Cursor`] is the state of one traversal. The loop of [`traverse`] visits the cursor's node, and tells it to
-//! descend or to backtrack; nothing else drives any algorithm of this crate. Geometry lives in the [`Visitor`],
-//! topology in the [`Topology`](crate::tree::Topology), and what an algorithm needs beyond the children in the tables
-//! that its constructor asks for. A constructor refuses a tree that is too deep for its word before the first step.
+//! A [`Cursor`] is the state of one traversal. The loop of [`traverse`] visits the cursor's node, and calls the cursor
+//! to descend or to backtrack; it drives all algorithms of this crate. Geometry is in the [`Visitor`], topology in the
+//! [`Topology`](crate::tree::Topology). The tables that an algorithm needs in addition to the children are arguments of
+//! its constructor. A constructor refuses a tree that is too deep for its word before the first step.
 
 mod afra;
 mod by_key;
@@ -71,47 +71,47 @@ use crate::key::KeyWord;
 use crate::order::{Descent, Flow, Pruned, Unpruned, Visitor};
 use crate::tree::Node;
 
-/// The state of one traversal, on its way through a tree.
+/// The state of one traversal of a tree.
 pub trait Cursor {
     /// The word of its key and trail.
     type Word: KeyWord;
 
-    /// Whether the cursor starts again from the root and then asks the visitor about nodes it has asked about before.
+    /// Whether the cursor starts again from the root and then repeats queries of the visitor.
     ///
     /// The answers may have become narrower in between (a shorter ray), never wider.
     const RESTARTS: bool = false;
 
-    /// Whether it leaves out postponed nodes that are disjoint from what is found. Then descents are marked, and it is
+    /// Whether it skips postponed nodes that are disjoint from the found candidate. Then descents are marked, and it is
     /// for searches that [allow](Pruned::allows) it.
     const PRUNES: bool = false;
 
-    /// Whether it keeps the distances of postponed nodes.
+    /// Whether it stores the distances of postponed nodes.
     const KEEPS_DISTANCES: bool = false;
 
-    /// The node about to be visited.
+    /// Returns the node about to be visited.
     fn node(&self) -> Node;
 
-    /// The state, as far as the traversal has one.
+    /// Returns the state, as far as the traversal has one.
     fn state(&self) -> State<Self::Word> {
         State::of(self.node())
     }
 
     /// Moves to the first wanted child of the current inner node and postpones the other, if both are wanted.
     ///
-    /// `descent` wants at least one child. `false` if there is nowhere to go after all (only where
+    /// `descent` wants at least one child. Returns `false` if there is no child to enter after all (only with
     /// [`RESTARTS`](Self::RESTARTS)): then backtrack.
     fn descend(&mut self, descent: Descent) -> bool;
 
-    /// Moves to the most recently postponed node. `false` if none is left: the traversal is done.
+    /// Moves to the most recently postponed node. Returns `false` if none is left: the traversal is done.
     fn backtrack(&mut self) -> bool;
 
-    /// At a leaf where something was found: forgets all postponed nodes whose descents were marked as disjoint.
+    /// Drops all postponed nodes whose descents were marked as disjoint. Called at a leaf where something was found.
     fn prune(&mut self) {}
 
-    /// After a descent that has postponed a node: where that begins ([`Pruned::postponed`]).
+    /// Stores the distance of a postponed node ([`Pruned::postponed`]). Called after the descent that postponed it.
     fn keep_distance(&mut self, _: u32) {}
 
-    /// Before backtracking: forgets the most recently postponed nodes that begin beyond the end ([`Pruned::end`]).
+    /// Drops the most recently postponed nodes that begin beyond the end ([`Pruned::end`]). Called before backtracking.
     fn drop_beyond(&mut self, _: u32) {}
 }
 
@@ -156,7 +156,7 @@ impl<C: Cursor> Cursor for &mut C {
     }
 }
 
-/// Runs a traversal that leaves nothing out to its end. One that prunes does not compile: it asks more of a search
+/// Runs a traversal without pruning to its end. A traversal that prunes does not compile: it requires more of a search
 /// ([`traverse_pruned`]).
 ///
 /// Returns what [`traverse_pruned`] returns.
@@ -166,10 +166,10 @@ pub fn traverse<C: Cursor>(cursor: C, visitor: &mut impl Visitor, recorder: &mut
     traverse_pruned(cursor, &mut Unpruned(visitor), recorder)
 }
 
-/// Runs a traversal to its end: the loop that all algorithms share. `[TRAVERSE-1]`
+/// Runs a traversal to its end, in the loop that all algorithms share. `[TRAVERSE-1]`
 ///
-/// Where the recorder or the visitor stops it, the answer is what comes next, for a traversal that is to go on later
-/// ([`Pause`]; a cursor that is passed by `&mut` has its state). Otherwise `None`.
+/// If the recorder or the visitor stops it, returns the next action of the traversal, for a later resumption
+/// ([`Pause`]; a cursor that is passed by `&mut` has its state). Otherwise returns `None`.
 #[inline]
 pub fn traverse_pruned<C: Cursor>(
     mut cursor: C,

@@ -1,10 +1,9 @@
-//! Traversals that are put aside and taken up again.
+//! Pausing and resuming traversals.
 //!
-//! A traversal without a stack has a state of a few words (Binder & Keller 2016, Section 2.4). [`Paused`] is that
-//! state, with the addresses that the traversal holds. Where addresses are not to be kept, key and trail are enough
-//! ([`KeyTrail`]): the address is found by walking down along the key's bits, or asked of a table of all keys. From the
-//! key alone a search can be taken up as well, if it does not mind to see nodes that it did not want or has seen
-//! ([`KeyOnly`]); so can a search that starts at a node and not at the root.
+//! A stackless traversal has a state of a few words (Binder & Keller 2016, Section 2.4). [`Paused`] is that state, with
+//! the addresses of the traversal. Without addresses, key and trail suffice ([`KeyTrail`]): a walk down along the key's
+//! bits, or a table of all keys, finds the address. A search can also resume from the key alone, if it allows unwanted
+//! and repeated nodes ([`KeyOnly`]); so can a search that starts at a node instead of the root.
 
 use core::fmt;
 
@@ -16,26 +15,26 @@ use crate::order::{Pruned, Repeatable};
 use crate::trail;
 use crate::tree::{Keys, Node, Topology};
 
-/// What a traversal that was stopped has to do next.
+/// The next action of a stopped traversal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Next {
-    /// To visit its node: it was stopped before the visit.
+    /// Visit its node: it was stopped before the visit.
     Visit,
-    /// To backtrack: its node, a leaf, has been looked into.
+    /// Backtrack: its node, a leaf, has been processed.
     Backtrack,
 }
 
-/// A cursor whose state can be put aside.
+/// A cursor that can be paused.
 pub trait Pause: Cursor {
-    /// The state; what comes next is what [`traverse_pruned`] has answered.
+    /// Returns the state; `next` is the result of [`traverse_pruned`].
     fn put_aside(&self, next: Next) -> Paused<Self::Word>;
 
-    /// Takes over a state, of any traversal of the same tree in the same word. `[PAUSE-1]`
+    /// Restores a state of any traversal of the same tree in the same word. `[PAUSE-1]`
     ///
-    /// Every part must be right; [`States`](super::States) checks states that come from elsewhere.
+    /// Every part must be correct; [`States`](super::States) checks states from other sources.
     ///
     /// # Errors
-    /// [`Incomplete`] names what this traversal needs and the state does not have. Then nothing has changed.
+    /// [`Incomplete`] with the missing part. Then nothing has changed.
     fn take_up(&mut self, paused: Paused<Self::Word>) -> Result<(), Incomplete>;
 }
 
@@ -44,20 +43,20 @@ pub trait Pause: Cursor {
 pub struct Paused<W> {
     /// The node.
     pub node: Node,
-    /// The most recently postponed node, if a register holds it. It must be there where bit 0 of the trail is set, for
-    /// the traversals that have a register.
+    /// The most recently postponed node, if a register holds it. For traversals with a register, it must be present if
+    /// bit 0 of the trail is set.
     pub register: Option<Node>,
-    /// The node's key, where the traversal has it.
+    /// The node's key, if the traversal has it.
     pub key: Option<W>,
-    /// The trail. Of a traversal that counts, the complement of its counter.
+    /// The trail. For a traversal that counts, the complement of its counter.
     pub trail: W,
-    /// The second trail, where there is one: 1 where the siblings are disjoint.
+    /// The second trail, if there is one: 1 where the siblings are disjoint.
     pub disjoint: Option<W>,
-    /// What to do first.
+    /// The first action.
     pub next: Next,
 }
 
-/// What a state lacks.
+/// The missing part of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Incomplete {
     /// The key.
@@ -89,9 +88,9 @@ impl fmt::Display for NoSuchKey {
 
 impl core::error::Error for NoSuchKey {}
 
-/// Finds the nodes of a state that was kept without addresses.
+/// Finds the nodes of a state without addresses.
 pub trait Locate<W> {
-    /// The node with this key, if there is one.
+    /// Returns the node with this key, if there is one.
     fn locate(&self, key: &W) -> Option<Node>;
 }
 
@@ -105,7 +104,8 @@ impl<W: KeyWord, T: Topology> Locate<W> for ByWalk<'_, T> {
     }
 }
 
-/// Asks a table, which must have the keys of all nodes, and of nodes only: for states that are known to be right.
+/// Finds nodes in a table, which must have the keys of all nodes: only for states that are known to be correct, because
+/// other keys give wrong nodes.
 #[derive(Debug)]
 pub struct ByTable<L>(pub L);
 
@@ -128,17 +128,17 @@ pub struct KeyTrail<W> {
     pub key: W,
     /// The trail.
     pub trail: W,
-    /// The second trail, where there is one.
+    /// The second trail, if there is one.
     pub disjoint: Option<W>,
-    /// What to do first.
+    /// The first action.
     pub next: Next,
 }
 
 impl<W: KeyWord> KeyTrail<W> {
-    /// The state with its addresses: the node, and the most recently postponed one. `[PAUSE-2]`
+    /// Returns the state with its addresses: the node, and the most recently postponed one. `[PAUSE-2]`
     ///
     /// # Errors
-    /// [`NoSuchKey`] where the tree has no such nodes, or the trail has bits above the root.
+    /// [`NoSuchKey`] if the tree has no such nodes, or the trail has bits above the root.
     pub fn locate(self, nodes: &impl Locate<W>) -> Result<Paused<W>, NoSuchKey> {
         let Self { key, trail, disjoint, next } = self;
         if [Some(&trail), disjoint.as_ref()].into_iter().flatten().any(|bits| bits.bit_length() > key::depth(&key)) {
@@ -156,14 +156,14 @@ impl<W: KeyWord> KeyTrail<W> {
 }
 
 impl<W: KeyWord> Paused<W> {
-    /// The state without addresses; `None` where it has no key.
+    /// Returns the state without addresses; `None` if it has no key.
     pub fn key_trail(self) -> Option<KeyTrail<W>> {
         Some(KeyTrail { key: self.key?, trail: self.trail, disjoint: self.disjoint, next: self.next })
     }
 }
 
-/// Goes on with a traversal that was put aside. Returns what [`traverse_pruned`] returns. A search that says nothing of
-/// pruning is passed as [`Unpruned`](crate::order::Unpruned).
+/// Resumes a paused traversal. Returns what [`traverse_pruned`] returns. Pass a search without pruning as
+/// [`Unpruned`](crate::order::Unpruned).
 ///
 /// # Errors
 /// [`Incomplete`], before the first step.
@@ -181,11 +181,11 @@ pub fn resume<C: Pause>(
     Ok(traverse_pruned(cursor, search, recorder))
 }
 
-/// A node from which all that is not below it is still to be visited: its subtree, its sibling's, its uncle's and so on
-/// up to the root's other child. `[PAUSE-4]`
+/// A node from which a search visits its subtree, then its sibling's, its uncle's and so on up to the root's other
+/// child. `[PAUSE-4]`
 ///
-/// This is what is left of a traversal of which only the key was kept: nobody knows any more which nodes were wanted,
-/// and which have been visited. So it is no [`Paused`] state, and only searches that do not mind can go on from it.
+/// This is the state of a traversal when only the key is kept: the wanted nodes and the visited nodes are unknown. So
+/// it is not a [`Paused`] state, and only searches that allow repeated and unwanted nodes can resume from it.
 ///
 /// ```compile_fail,E0277
 /// # use stackless_bvh::bvh::Bvh;
@@ -215,12 +215,12 @@ pub fn resume<C: Pause>(
 pub struct KeyOnly<W>(Paused<W>);
 
 impl<W: KeyWord> KeyOnly<W> {
-    /// The key.
+    /// Returns the key.
     pub fn key(&self) -> Option<&W> {
         self.0.key.as_ref()
     }
 
-    /// From a key. The trail gets a one for each level. `[PAUSE-5]`
+    /// Creates the state of a key. Each level sets one bit of the trail. `[PAUSE-5]`
     ///
     /// # Errors
     /// [`NoSuchKey`].
@@ -233,7 +233,7 @@ impl<W: KeyWord> KeyOnly<W> {
     }
 }
 
-/// Goes on with a search from a node, as [`KeyOnly`] says. Returns what [`traverse_pruned`] returns.
+/// Resumes a search from a node, as described at [`KeyOnly`]. Returns what [`traverse_pruned`] returns.
 ///
 /// # Errors
 /// [`Incomplete`], before the first step.

@@ -1,4 +1,4 @@
-//! The stack, with what it takes to leave out postponed nodes after a hit.
+//! The stack, with data to skip postponed nodes after a hit.
 
 use alloc::vec::Vec;
 use core::borrow::BorrowMut;
@@ -7,19 +7,20 @@ use super::Cursor;
 use crate::order::Descent;
 use crate::tree::{Node, Topology};
 
-/// Postponed nodes on a stack, each with the distance at which it begins (`BY_DISTANCE`): those that begin beyond the
-/// end of the search are dropped when they are popped (Dammertz 2011, named by Binder & Keller 2016, Section 2.3). Or
-/// each with the mark of its descent: those that are disjoint from what is found are dropped when it is found.
+/// Postponed nodes on a stack, each with the distance at which it begins (`BY_DISTANCE`) or with the mark of its
+/// descent. By distance, nodes that begin beyond the end of the search are dropped when they are popped (Dammertz 2011,
+/// named by Binder & Keller 2016, Section 2.3). By marks, nodes that are disjoint from a found candidate are dropped
+/// when it is found.
 #[derive(Debug)]
 pub struct PruningStack<'t, T, const BY_DISTANCE: bool, M = &'t mut Vec<Node>> {
     tree: &'t T,
     node: Node,
-    /// Two places for each: the node, and, as the bits of an address, its distance or its mark.
+    /// Two entries for each node: the node, and its distance or mark as the bits of an address.
     postponed: M,
 }
 
 impl<'t, T: Topology, const BY_DISTANCE: bool> PruningStack<'t, T, BY_DISTANCE> {
-    /// Starts at the root. The memory of the stack is the caller's, so that many traversals can share it.
+    /// Starts at the root. The caller owns the memory of the stack: traversals can share it.
     #[inline]
     pub fn new(tree: &'t T, memory: &'t mut Vec<Node>) -> Self {
         Self::with(tree, memory)

@@ -7,33 +7,33 @@ use crate::key::KeyWord;
 use crate::trail::{is_pending, levels};
 use crate::tree::{Node, Topology};
 
-/// Address of the node that comes next, if it is known (`mrpnAddr` of Binder & Keller's Algorithm 1).
+/// Address of the next node, if it is known (`mrpnAddr` of Binder & Keller's Algorithm 1).
 ///
-/// Where it is set, it addresses the node with key `(k >> n) ^ 1`. A pending sibling is always in it: the lowest bit
-/// of the trail is set by the very descent that sets the register, and backtracking clears it. The root, which is never
-/// postponed, stands for "not set".
+/// If it is set, it addresses the node with key `(k >> n) ^ 1`. A pending sibling is always in it: the descent that
+/// sets the lowest bit of the trail also sets the register, and backtracking clears the bit. The root, which is never
+/// postponed, means "not set".
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Register(Node);
 
 impl Register {
-    /// Not set.
+    /// Creates an unset register.
     #[inline]
     pub(super) fn empty(tree: &impl Topology) -> Self {
         Self(tree.root())
     }
 
-    /// The node, if set.
+    /// Returns the node, if set.
     #[inline]
     pub(super) fn get(self, tree: &impl Topology) -> Option<Node> {
         (self.0 != tree.root()).then_some(self.0)
     }
 
-    /// Before backtracking, if unset: takes the lowest postponed node that the record of `node` names. `[REGISTER-2]`
+    /// Before backtracking, if unset: takes the lowest postponed node in the record of `node`. `[REGISTER-2]`
     ///
-    /// The printed algorithm does so whenever it loads a record. What the next record on the way down names as well can
-    /// wait for it, and what is postponed on the way down replaces it: so here a node is taken when the search turns
-    /// back, and on a descent only where it gets out of reach. The register then holds the same node whenever it is
-    /// used.
+    /// The printed algorithm fills the register whenever it loads a record. A node that the next record on the way down
+    /// also names can wait for that record, and a node postponed on the way down replaces it. So here the register is
+    /// filled when the search backtracks, and on a descent only if the node gets out of reach. It then holds the same
+    /// node at every use.
     #[inline(always)]
     pub(super) fn fill(&mut self, tree: &impl Topology, node: Node, trail: u32) {
         let named = tree.lowest_pending(node, trail, self.0);
@@ -47,15 +47,15 @@ impl Register {
         self.0 = select_unpredictable(self.0 == tree.root(), leaving, self.0);
     }
 
-    /// On a descent that postpones a child: it replaces what was there.
+    /// On a descent that postpones a child: replaces the content.
     #[inline]
     pub(super) fn set(&mut self, postponed: Node) {
         self.0 = postponed;
     }
 
-    /// After a hit: not set, if the node that it holds is pruned, the lowest of the trail. `[DISJOINT-3]`
+    /// After a hit: unset, if its node, the lowest of the trail, is pruned. `[DISJOINT-3]`
     ///
-    /// Before the register is filled again, else an uncle could be taken for that node.
+    /// Before the register is filled again; otherwise an uncle could be mistaken for that node.
     #[inline(always)]
     pub(super) fn prune<W: KeyWord>(&mut self, tree: &impl Topology, trail: &W, pruned: &W) {
         if pruned.is_zero() || levels(trail) != levels(pruned) {
@@ -63,11 +63,11 @@ impl Register {
         }
     }
 
-    /// That of a traversal that was put aside.
+    /// Restores the register of a paused traversal.
     ///
     /// # Errors
-    /// [`Incomplete::Register`] where the sibling is postponed and the register does not say where it is: no record
-    /// names its node's sibling, so the next one to be named, the uncle, would be taken for it. `[PAUSE-3]`
+    /// [`Incomplete::Register`] if the sibling is postponed and the register does not have its address. No record has a
+    /// node's sibling, so the next recorded node, the uncle, would be mistaken for it. `[PAUSE-3]`
     pub(super) fn of<W: KeyWord>(tree: &impl Topology, node: Option<Node>, trail: &W) -> Result<Self, Incomplete> {
         match node {
             Some(node) => Ok(Self(node)),
@@ -76,7 +76,7 @@ impl Register {
         }
     }
 
-    /// On backtracking: the node, if set; it is not set afterwards.
+    /// On backtracking: returns the node, if set, and unsets the register.
     #[inline(always)]
     pub(super) fn take(&mut self, tree: &impl Topology) -> Option<Node> {
         let node = self.get(tree);

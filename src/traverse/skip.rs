@@ -7,14 +7,14 @@ use super::Cursor;
 use crate::order::{Descent, FixedOrder};
 use crate::tree::{Node, Topology, for_each_parent};
 
-/// Where to go after a node's subtree is done, in a fixed order of the children (Smits 1998). `[SKIP-1]`
+/// The node after each node's subtree, in a fixed order of the children (Smits 1998). `[SKIP-1]`
 #[derive(Clone, Debug)]
 pub struct Skips {
     rows: Vec<Node>,
 }
 
 impl Skips {
-    /// The skip pointers of a tree under an order.
+    /// Computes the skip pointers of a tree for an order.
     pub fn of(tree: &impl Topology, order: &impl FixedOrder) -> Self {
         let mut rows = vec![tree.root(); tree.node_count()];
         for_each_parent(tree, |parent, children| {
@@ -25,21 +25,22 @@ impl Skips {
         Self { rows }
     }
 
-    /// Memory of the pointers, in bytes.
+    /// Returns the memory of the pointers, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.rows)
     }
 
-    /// The node to visit after the subtree of the node with this slot. The root, which nobody follows, means none.
+    /// Returns the node to visit after the subtree of the node with this slot. The root, which comes after no node,
+    /// means none.
     #[inline]
     pub fn after(&self, slot: usize) -> Node {
         self.rows[slot]
     }
 }
 
-/// Goes to the first child or follows the skip pointer: a node is all the state. The order is fixed by the pointers.
+/// Goes to the first child or follows the skip pointer: the state is one node. The pointers determine the order.
 ///
-/// The visitor tests a node at its visit and wants both children in the order that the pointers were made for
+/// The visitor tests a node at its visit and wants both children in the order of the pointers
 /// ([`ByNode`](crate::order::ByNode) does).
 #[derive(Debug)]
 pub struct Skip<'t, T, O> {

@@ -8,14 +8,15 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Recorded, Topology};
 
-/// Counts as if every left child came first; the carries of the increment say how far to climb. `[SPARSE-1]`
+/// Counts as if every left child came first; the carries of the increment determine the number of levels to climb.
+/// `[SPARSE-1]`
 ///
-/// As printed the counter `levelIndex` overflows its level at the end, and the climb goes on to the root, whose sibling
-/// is itself. Here the start of the level is kept in the same word, as Section 2.2 does for implicit trees: the end is
-/// where `levelStart + levelIndex` is all ones, and is seen without the climb (spec/DEPARTURES.md, D-9).
+/// As printed the counter `levelIndex` overflows its level at the end, and the climb continues to the root, whose
+/// sibling is itself. Here the word also has the start of the level, as in Section 2.2 for implicit trees: the
+/// traversal ends where `levelStart + levelIndex` is all ones, without the climb (spec/DEPARTURES.md, D-9).
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it
-/// (Binder & Keller 2016, Section 2.3). To end something is to count it as done.
+/// With [`Disjoint`](super::Disjoint) for `M` it has a second trail, which lets a hit prune the nodes behind it (Binder
+/// & Keller 2016, Section 2.3). A pruned node counts as done.
 #[derive(Debug)]
 pub struct Sparse<'t, W, T, M = ()> {
     tree: &'t T,
@@ -29,8 +30,8 @@ impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Sparse<'t, W, T, M> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] where the tree names no parents and siblings, and [`Unsupported::TooDeep`] where the counter would
-    /// leave its word: beyond as many edges as the word has bits, less one.
+    /// [`Unsupported::NoLinks`] if the tree has no parents and siblings, and [`Unsupported::TooDeep`] if the counter
+    /// would leave its word: for trees deeper than the bits of the word, less one.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         Unsupported::unless_linked(tree, Recorded::ParentSibling)?;

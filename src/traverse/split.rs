@@ -1,14 +1,14 @@
 //! Depth beyond a word: a tree is cut every few levels, and each piece is traversed in a word that carries it.
 //!
 //! Binder & Keller 2016, Section 3: "instances also can be used to extend traversal depth at the cost of just a few
-//! registers". A node at which the tree is cut is a leaf to the piece above it and the root of the piece below. Key and
-//! trail of the piece below start afresh there, and the state of the piece above waits, at that node, until there is
-//! nothing left below. Only pieces on the way from the root to the node wait, so the state is that of one traversal for
-//! each `levels` edges of depth: [`Cuts::state_bytes`].
+//! registers". A node at a cut is a leaf of the piece above it and the root of the piece below. Key and trail of the
+//! piece below start again there. The state of the piece above waits, at that node, until the piece below is done. Only
+//! pieces on the path from the root to the node wait, so the state is that of one traversal for each `levels` edges of
+//! depth: [`Cuts::state_bytes`].
 //!
-//! References out of a piece are never followed. Whatever climbs (parents, uncles) goes by the trail of the piece,
-//! which has no bit at or above the depth of the node below the cut. So the links of the whole tree serve all pieces.
-//! What goes by keys has a table for each piece: [`Cuts::tables`].
+//! References out of a piece are never followed. A climb (by parents, uncles) uses the trail of the piece, which has no
+//! bit at or above the depth of the node below the cut. So the links of the whole tree serve all pieces. Lookups by
+//! keys have a table for each piece: [`Cuts::tables`].
 
 mod cuts;
 
@@ -51,9 +51,9 @@ use crate::tree::{Node, Topology};
 pub struct Split<'m, 'c, T, C, F> {
     cuts: &'c Cuts<'c, T>,
     start: F,
-    /// In the piece of the current node.
+    /// The cursor in the piece of the current node.
     cursor: C,
-    /// In the pieces above, the root's first, each at the root of the piece below.
+    /// The cursors in the pieces above, the root's first, each at the root of the piece below.
     waiting: &'m mut Vec<C>,
 }
 
@@ -63,15 +63,14 @@ where
     C: Cursor,
     F: Fn(&'c Piece<'c, T>) -> Result<C, E>,
 {
-    /// Starts at the root. `start` makes a cursor at the root of a piece. The memory for what waits is the caller's, so
-    /// that many traversals can share it.
+    /// Starts at the root. `start` makes a cursor at the root of a piece. The caller owns the memory for the waiting
+    /// states: traversals can share it.
     ///
-    /// All pieces say that they have the same [`depth`](Topology::depth), so the constructors of cursors take all or
-    /// none. If `start` refused one after it took the first, what is below would be left out (and a panic in debug
-    /// builds).
+    /// All pieces report the same [`depth`](Topology::depth), so the constructors of cursors accept all pieces or none.
+    /// If `start` refused one after it accepted the first, its nodes would be skipped (and debug builds would panic).
     ///
     /// # Errors
-    /// Those of `start`, as where the cursor's word does not carry as many levels as there are between cuts.
+    /// Those of `start`, for example if the cursor's word does not carry the levels between cuts.
     #[inline]
     pub fn new(cuts: &'c Cuts<'c, T>, waiting: &'m mut Vec<C>, start: F) -> Result<Self, E> {
         waiting.clear();
@@ -79,7 +78,7 @@ where
         Ok(Self { cuts, start, cursor, waiting })
     }
 
-    /// Whether the current node is the root of the current piece: only cursors that restart come to it again.
+    /// Returns whether the current node is the root of the current piece: only cursors that restart return to it.
     #[inline]
     fn is_back_at_cut(&self) -> bool {
         C::RESTARTS && self.waiting.last().is_some_and(|above| above.node() == self.cursor.node())
@@ -140,13 +139,14 @@ where
         true
     }
 
-    /// In all pieces: what is postponed above is left out as well.
+    /// In all pieces: nodes postponed above are pruned too.
     fn prune(&mut self) {
         self.waiting.iter_mut().chain([&mut self.cursor]).for_each(Cursor::prune);
     }
 }
 
-/// A key or counter of the whole tree: a leading one, and those of the pieces one after the other without theirs.
+/// Returns a key or counter of the whole tree: a leading one, and those of the pieces one after the other without
+/// theirs.
 fn joined<C: Cursor>(waiting: &[C], current: &C, part: impl Fn(State<C::Word>) -> Option<C::Word>) -> Option<Grow> {
     waiting.iter().chain([current]).try_fold(key::root(), |whole, cursor| {
         let part = part(cursor.state())?;

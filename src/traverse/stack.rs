@@ -16,7 +16,7 @@ pub struct Stack<'t, T, M = &'t mut Vec<Node>> {
 }
 
 impl<'t, T: Topology> Stack<'t, T> {
-    /// Starts at the root. The memory of the stack is the caller's, so that many traversals can share it.
+    /// Starts at the root. The caller owns the memory of the stack: traversals can share it.
     #[inline]
     pub fn new(tree: &'t T, memory: &'t mut Vec<Node>) -> Self {
         Self::with(tree, memory)

@@ -1,4 +1,4 @@
-//! States as bytes, and their check.
+//! Encoding of states as bytes, with checks.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -14,7 +14,7 @@ const VERSION: u8 = 1;
 /// Magic, version, flags, bytes of a word; the tree; node and register.
 const HEADER_BYTES: usize = 10 + 8 + 8;
 const CHECKSUM_BYTES: usize = 8;
-/// Flags: which parts there are, and what comes next.
+/// Flags: the parts that are present, and the next action.
 const KEY: u8 = 1;
 const REGISTER: u8 = 2;
 const DISJOINT: u8 = 4;
@@ -22,9 +22,9 @@ const BACKTRACK: u8 = 8;
 
 /// Writes and reads the states of traversals of one tree.
 ///
-/// A state that is read is one of this tree, or it is refused: the bytes name the tree that they are of by a hash of
-/// its structure, a checksum finds damage, and every part is checked against the tree, so that also what was made up to
-/// have the right checksum is followed only where a traversal could be. `[PAUSE-6]`
+/// It reads only states of this tree, and refuses all other bytes. The bytes have a hash of the tree's structure. A
+/// checksum detects damage. Every part is checked against the tree, so even bytes with a forged checksum are accepted
+/// only if a traversal could be in this state. `[PAUSE-6]`
 ///
 /// All numbers are little-endian: `SBVP`, version (1 byte), flags (1; bit 0 key, 1 register, 2 second trail, 3
 /// backtrack next), bytes of a word (4), the tree (8), node (4), register (4, or 0), trail, key and second trail as
@@ -53,48 +53,48 @@ pub struct States<'t, T> {
     fingerprint: u64,
 }
 
-/// Why bytes are not a state of a tree.
+/// Errors of [`States::from_bytes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StateError {
-    /// They do not begin as a state does, or are too few to.
+    /// The magic number is invalid, or there are too few bytes.
     Magic,
-    /// They are of another version of the format.
+    /// The version of the format is not supported.
     Version {
         /// Its number.
         version: u8,
     },
-    /// They are of a traversal in another word.
+    /// The state is of a traversal in another word.
     WordBytes {
-        /// Bytes of the word that is asked for.
+        /// Bytes of the requested word.
         expected: u32,
-        /// Bytes of the state's.
+        /// Bytes of the state's word.
         found: u32,
     },
-    /// They are fewer or more than their header says.
+    /// The length does not match the header.
     Length {
-        /// Number of bytes that there should be.
+        /// Expected number of bytes.
         expected: usize,
-        /// Number of bytes.
+        /// Actual number of bytes.
         found: usize,
     },
-    /// The checksum is wrong: they are damaged.
+    /// The checksum is wrong: the bytes are damaged.
     Checksum,
-    /// A flag is set that means nothing.
+    /// An unknown flag is set.
     Flags {
         /// All flags.
         flags: u8,
     },
-    /// They are of another tree.
+    /// The state is of another tree.
     Tree,
     /// The tree has no such node.
     Node(Node),
     /// The key is not that of the node.
     Key,
-    /// The trail, or the second one, has bits above the root.
+    /// The trail, or the second trail, has bits above the root.
     Trail,
-    /// The register does not address the most recently postponed node, or is missing where that is the sibling.
+    /// The register does not address the most recently postponed node, or is missing if that is the sibling.
     Register,
-    /// The node is no leaf, and yet has been looked into.
+    /// An inner node is marked as processed like a leaf.
     Backtrack,
 }
 
@@ -120,7 +120,7 @@ impl fmt::Display for StateError {
 impl core::error::Error for StateError {}
 
 impl<'t, T: Topology> States<'t, T> {
-    /// Takes time and memory linear in the size of the tree.
+    /// Prepares a tree, in time and memory linear in its size.
     pub fn of(tree: &'t T) -> Self {
         let mut fingerprint = mix(u64::from(tree.root().to_bits()));
         for_each_parent(tree, |parent, children| {
@@ -131,13 +131,13 @@ impl<'t, T: Topology> States<'t, T> {
         Self { tree, keys: Keys::of(tree), bounds: AddressBounds::of(tree), fingerprint }
     }
 
-    /// Number of bytes that a state takes: the same at every step of a traversal that has these parts.
+    /// Returns the size of a state in bytes: the same at every step of a traversal with these parts.
     pub fn bytes<W: KeyWord>(&self, paused: &Paused<W>) -> usize {
         self.length::<W>(flags(paused))
     }
 
-    /// The state as bytes. A traversal without a register does not say where a postponed sibling is: that is looked up,
-    /// so that any other can go on from the bytes. `[PAUSE-3]`
+    /// Encodes a state. A traversal without a register does not have the address of a postponed sibling; this function
+    /// looks it up, so that any other traversal can resume from the bytes. `[PAUSE-3]`
     pub fn to_bytes<W: KeyWord>(&self, paused: &Paused<W>) -> Vec<u8> {
         let register = paused.register.or_else(|| self.sibling(paused.node).filter(|_| is_pending(&paused.trail)));
         let flags = flags(paused) | if register.is_some() { REGISTER } else { 0 };
@@ -159,10 +159,10 @@ impl<'t, T: Topology> States<'t, T> {
         bytes
     }
 
-    /// The state that bytes are.
+    /// Decodes a state.
     ///
     /// # Errors
-    /// What [`StateError`] lists.
+    /// [`StateError`].
     pub fn from_bytes<W: KeyWord>(&self, bytes: &[u8]) -> Result<Paused<W>, StateError> {
         let Some(&[version, flags]) = bytes.strip_prefix(&MAGIC).and_then(<[u8]>::first_chunk) else {
             return Err(StateError::Magic);
@@ -173,7 +173,7 @@ impl<'t, T: Topology> States<'t, T> {
         if flags & !(KEY | REGISTER | DISJOINT | BACKTRACK) != 0 {
             return Err(StateError::Flags { flags });
         }
-        // Before the length is known to be right, there are bytes for magic, version and flags.
+        // Before the length is checked, there are bytes for magic, version and flags.
         let number = |at: usize| u32::from_le_bytes(bytes[at..].first_chunk().copied().unwrap_or_default());
         let (expected, found) = (self.word_bytes::<W>() as u32, number(6));
         if expected != found {
@@ -204,18 +204,18 @@ impl<'t, T: Topology> States<'t, T> {
         Ok(paused)
     }
 
-    /// Whether a state is one that a traversal of this tree can be in.
+    /// Checks that a traversal of this tree can be in a state.
     ///
     /// # Errors
-    /// What does not fit the tree.
+    /// [`StateError`] for the part that does not fit the tree.
     pub fn check<W: KeyWord>(&self, paused: &Paused<W>) -> Result<(), StateError> {
         let Paused { node, register, key, trail, disjoint, next } = paused;
         if !self.bounds.contains(*node) {
             return Err(StateError::Node(*node));
         }
         let slot = self.tree.slot(*node);
-        // A leaf may have the index of an inner node. (Traversals that have no key carry trees that are a level deeper
-        // than their word can hold keys of.)
+        // A leaf may have the index of an inner node. (Traversals without a key carry trees that are a level deeper
+        // than their word's keys.)
         let true_key: Grow = self.keys.key(slot);
         if Keys::walk(self.tree, &true_key) != Some(*node) {
             return Err(StateError::Node(*node));
@@ -237,7 +237,7 @@ impl<'t, T: Topology> States<'t, T> {
         Ok(())
     }
 
-    /// The sibling of a node; `None` for the root, and for what is no node of the tree.
+    /// Returns the sibling of a node; `None` for the root, and for an address that is no node of the tree.
     fn sibling(&self, node: Node) -> Option<Node> {
         let slot = self.bounds.contains(node).then(|| self.tree.slot(node))?;
         let key: Grow = self.keys.key(slot);
@@ -249,7 +249,7 @@ impl<'t, T: Topology> States<'t, T> {
         HEADER_BYTES + words * self.word_bytes::<W>() + CHECKSUM_BYTES
     }
 
-    /// Bytes of a word: a word that grows has as many as the longest key of the tree.
+    /// Returns the bytes of a word: for a growing word those of the longest key of the tree.
     fn word_bytes<W: KeyWord>(&self) -> usize {
         W::WIDTH.unwrap_or(self.tree.depth() + 1).div_ceil(8) as usize
     }

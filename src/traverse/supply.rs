@@ -1,4 +1,4 @@
-//! What the table of traversals asks for, and what it hands out.
+//! The interface between the table of traversals and its callers.
 
 use core::borrow::BorrowMut;
 
@@ -9,7 +9,7 @@ use crate::hash::Lookup;
 use crate::order::FixedOrder;
 use crate::tree::{Node, Topology};
 
-/// What cursors in words `W` are made from: a tree, and what is beside it. What was not made is [`Unsupported::NoTable`].
+/// The sources of cursors in words `W`: a tree and its tables. A missing table is [`Unsupported::NoTable`].
 pub trait Supply<'t, W> {
     /// The tree, with the links that the traversal follows.
     type Tree: Topology + 't;
@@ -17,7 +17,7 @@ pub trait Supply<'t, W> {
     type Memory: BorrowMut<Vec<Node>>;
     /// A perfect hash.
     type Hash: Lookup<W>;
-    /// An implicit layout, or what stands for it.
+    /// An implicit layout, or its substitute.
     type Layout: Lookup<W>;
     /// The addresses of a complete tree.
     type Complete: Lookup<W>;
@@ -26,13 +26,13 @@ pub trait Supply<'t, W> {
     /// The order of children by the sign of the direction.
     type BySign: FixedOrder + Copy;
 
-    /// The tree.
+    /// Returns the tree.
     fn tree(&self) -> &'t Self::Tree;
 
-    /// The memory, empty or not.
+    /// Returns the memory, empty or not.
     fn memory(self) -> Self::Memory;
 
-    /// The order by sign.
+    /// Returns the order by sign.
     fn by_sign(&self) -> Self::BySign;
 
     /// The keys that records do not reach. `[HASH-3]`
@@ -78,17 +78,16 @@ pub trait Supply<'t, W> {
     fn skips_by_sign(&self) -> Result<&'t Skips, Unsupported>;
 }
 
-/// Something to do with a traversal that is chosen when the program runs:
-/// [`Method::dispatch`](super::Method::dispatch).
+/// A generic function of a traversal that is selected at run time: [`Method::dispatch`](super::Method::dispatch).
 ///
-/// It gets what makes the cursor, and not the cursor: so it can make many, and each from what it likes.
+/// It receives the constructor of the cursor, not the cursor. So it can make many cursors, each from its own source.
 pub trait Context<'t, W>: Sized {
-    /// What cursors are made from.
+    /// The source of cursors.
     type From: Supply<'t, W>;
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it with a traversal that decides on both children at their parent.
+    /// Calls the function with a traversal that decides on both children at their parent.
     ///
     /// # Errors
     /// Those of `start`.
@@ -97,7 +96,7 @@ pub trait Context<'t, W>: Sized {
         start: impl Fn(Self::From) -> Result<C, Unsupported>,
     ) -> Result<Self::Output, Unsupported>;
 
-    /// Does it with a traversal that tests each node at its visit, in an order that is fixed.
+    /// Calls the function with a traversal that tests each node at its visit, in a fixed order.
     ///
     /// # Errors
     /// Those of `start`.
@@ -107,15 +106,14 @@ pub trait Context<'t, W>: Sized {
     ) -> Result<Self::Output, Unsupported>;
 }
 
-/// Something to do with a traversal that can be put aside:
-/// [`Method::dispatch_pausing`](super::Method::dispatch_pausing).
+/// A generic function of a traversal that can be paused: [`Method::dispatch_pausing`](super::Method::dispatch_pausing).
 pub trait PausingContext<'t, W>: Sized {
-    /// What cursors are made from.
+    /// The source of cursors.
     type From: Supply<'t, W>;
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it.
+    /// Calls the function.
     ///
     /// # Errors
     /// Those of `start`.

@@ -1,9 +1,8 @@
 //! The table of traversals.
 //!
-//! A new traversal is a file for its cursor beside this one, and a row here. From the row come its name, help and
-//! documentation, what is made for it beside a tree, and the cursor wherever a traversal is chosen when the program
-//! runs: the ray tracer, the battery in all words, the pages of `explain`, the benchmarks.
-//! `tests/toy` shows it.
+//! A new traversal is a file for its cursor in this folder, and a row here. The row defines its name, help and
+//! documentation, its tables, and the cursor for all code that selects a traversal at run time: the ray tracer, the
+//! battery in all words, the pages of `explain`, the benchmarks. `tests/toy` shows it.
 
 use super::method::{Kind, Need, Row, Test, Words};
 use super::{
@@ -15,10 +14,10 @@ use crate::name::named;
 use crate::order;
 use crate::tree::Recorded;
 
-/// Each field stands for itself but these. `without`: the same traversal without pruning. `state`: bytes of the state
-/// by the bytes of a word and by depth, as Barringer & Akenine-Möller count: 4 for each variable, a word for each key,
-/// trail, counter or mask, and a head for a stack (for a short one its length too). `cursor`: made from a [`Supply`]
-/// for words `W`; `ByNode` gives the order too.
+/// Most fields are self-explanatory. `without`: the same traversal without pruning. `state`: bytes of the state by the
+/// bytes of a word and by depth, as Barringer & Akenine-Möller count: 4 for each variable, a word for each key, trail,
+/// counter or mask, and a head for a stack (for a short stack also its length). `cursor`: made from a [`Supply`] for
+/// words `W`; `ByNode` also gives the order.
 macro_rules! traversals {
     ($($variant:ident {
         name: $name:literal, by: $by:literal, clause: $clause:literal,
@@ -54,7 +53,8 @@ macro_rules! traversals {
                 }
             }
 
-            /// Bytes of its state for one ray in a tree of this depth, as Barringer & Akenine-Möller count. `[STATE-1]`
+            /// Returns the bytes of its state for one ray in a tree of this depth, as Barringer & Akenine-Möller count.
+            /// `[STATE-1]`
             pub fn state_bytes<W: KeyWord>(self, depth: u32) -> usize {
                 let of_words = (W::bytes(depth), depth as usize);
                 match self {
@@ -62,7 +62,7 @@ macro_rules! traversals {
                 }
             }
 
-            /// Does something with this traversal in words `W`: the one place where a name becomes a cursor.
+            /// Calls a function with this traversal in words `W`: the only conversion from a name to a cursor.
             ///
             /// # Errors
             /// [`Unsupported`], before the first step.
@@ -74,10 +74,11 @@ macro_rules! traversals {
                 }
             }
 
-            /// The same for traversals that can be [put aside](super::Pause).
+            /// Calls a function with a traversal that can be [paused](super::Pause).
             ///
             /// # Errors
-            /// [`Unsupported::NoPause`] for others, and what else is unfit, before the first step.
+            /// [`Unsupported::NoPause`] for other traversals, and other errors of [`Unsupported`], before the first
+            /// step.
             #[inline]
             pub fn dispatch_pausing<'t, W: KeyWord, X: PausingContext<'t, W>>(
                 self,

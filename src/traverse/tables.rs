@@ -1,4 +1,4 @@
-//! A tree with the tables of some traversals, which are run by their names.
+//! A tree with the tables of some traversals, which are selected by name.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -14,7 +14,7 @@ use crate::key::{Grow, KeyWord};
 use crate::order::{self, ByNode, FixedOrder, NodeTest, Pruned, SignOrder};
 use crate::tree::{ImplicitCells, Keys, Linked, Links, Node, Reach, Recorded, Topology};
 
-/// A tree with the tables that a choice of traversals needs beside it; `H` is how perfect hashes are looked up.
+/// A tree with the tables that a selection of traversals needs; `H` is the lookup in perfect hashes.
 #[derive(Debug)]
 pub struct Tables<'t, T, H = PerfectHash> {
     tree: &'t T,
@@ -28,10 +28,10 @@ pub type VerifiedTables<'t, T> = Tables<'t, T, Verified<'t, T, PerfectHash, Arc<
 /// A tree with the links that its traversals follow.
 pub type LinkedTree<'s, T> = Linked<'s, T, 2, 2, &'s Links>;
 
-/// The tables alone, for those who keep the tree elsewhere.
+/// The tables alone, for callers that keep the tree elsewhere.
 #[derive(Debug)]
 pub struct AuxTables<H = PerfectHash> {
-    /// What the tree's own records do not name.
+    /// The links that the tree's own records do not have.
     links: Links,
     reached_keys: Option<H>,
     all_keys: Option<H>,
@@ -39,12 +39,12 @@ pub struct AuxTables<H = PerfectHash> {
     complete: Option<Result<Complete, NotComplete>>,
     chains: Option<Glassner>,
     skips: Option<Skips>,
-    /// Of the octants from this on.
+    /// Skip pointers of the octants from this one on.
     first_octant: u8,
     skips_by_sign: Vec<Skips>,
 }
 
-/// A value of one's own, or of somebody else.
+/// An owned or borrowed value.
 #[derive(Debug)]
 enum Held<'t, X> {
     Own(X),
@@ -64,15 +64,16 @@ impl<X> Deref for Held<'_, X> {
 }
 
 impl AuxTables {
-    /// Makes what `methods` need. `axes` is for [`SignOrder`].
+    /// Builds the tables of `methods`. `axes` is for [`SignOrder`].
     ///
-    /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper ones the implicit traversals look
-    /// their addresses up in the plain map.
+    /// Trees of up to `implicit_depth` edges get the implicit layout; in deeper trees the implicit traversals look up
+    /// their addresses in the plain map.
     pub fn new(tree: &impl Topology, axes: &[u8], methods: &[Method], implicit_depth: u32) -> Self {
         Self::for_octants(tree, axes, methods, implicit_depth, 0..8)
     }
 
-    /// The same for searches in some octants: in others, a traversal that needs a table for each has none.
+    /// Builds the tables for searches in some octants: in other octants, a traversal with a table for each octant is
+    /// unsupported.
     pub fn for_octants(
         tree: &impl Topology,
         axes: &[u8],
@@ -87,7 +88,7 @@ impl AuxTables {
         let perfect = |key_set| PerfectHash::build(tree, Options { key_set, sizing: Sizing::Tight }).ok();
         Self {
             links: Links::of(tree, &links),
-            // The tight sizing, with the remedy where the plain function fails.
+            // The tight sizing, with the remedy if the plain function fails.
             reached_keys: needs(Need::ReachedKeys).then(|| perfect(KeySet::Exact(Reach::ALGORITHM_1))).flatten(),
             all_keys: needs(Need::AllKeys).then(|| perfect(KeySet::All)).flatten(),
             layout: needs(Need::Layout).then(|| Layout::of(tree, implicit_depth)),
@@ -99,7 +100,7 @@ impl AuxTables {
         }
     }
 
-    /// Memory of all tables, in bytes.
+    /// Returns the memory of all tables, in bytes.
     pub fn bytes(&self) -> usize {
         let hashes = [&self.reached_keys, &self.all_keys];
         let complete = self.complete.as_ref().and_then(|complete| complete.as_ref().ok());
@@ -111,7 +112,7 @@ impl AuxTables {
             + self.skips.iter().chain(&self.skips_by_sign).map(Skips::bytes).sum::<usize>()
     }
 
-    /// The same, with perfect hashes looked up in another way.
+    /// Returns these tables with another lookup in perfect hashes.
     #[must_use]
     pub fn looked_up_by<H>(self, by: impl Fn(PerfectHash) -> H) -> AuxTables<H> {
         let Self { links, reached_keys, all_keys, layout, complete, chains, skips, first_octant, skips_by_sign } = self;
@@ -121,12 +122,12 @@ impl AuxTables {
 }
 
 impl<'t, T: Topology> Tables<'t, T> {
-    /// A tree with what `methods` need, as [`AuxTables::new`] makes it.
+    /// Builds a tree with the tables of `methods`, as [`AuxTables::new`] does.
     pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
         Self::with(tree, axes, AuxTables::new(tree, axes, methods, implicit_depth))
     }
 
-    /// A tree with tables that somebody else has made for it, and keeps.
+    /// Combines a tree with borrowed tables.
     #[inline]
     pub const fn lent(tree: &'t T, axes: &'t [u8], beside: &'t AuxTables) -> Self {
         Self { tree, axes, beside: Held::Lent(beside) }
@@ -134,31 +135,31 @@ impl<'t, T: Topology> Tables<'t, T> {
 }
 
 impl<'t, T: Topology> VerifiedTables<'t, T> {
-    /// A tree with its tables, every lookup in a perfect hash verified by the tree's keys.
+    /// Combines a tree with its tables; the tree's keys verify every lookup in a perfect hash.
     pub fn verified(tree: &'t T, axes: &'t [u8], beside: AuxTables, keys: Arc<Keys>) -> Self {
         Self::with(tree, axes, beside.looked_up_by(|hash| Verified::new(hash, tree, Arc::clone(&keys))))
     }
 
-    /// Number of lookups so far that did not find the node with the key.
+    /// Returns the number of lookups so far that did not find the node with the key.
     pub fn misses(&self) -> usize {
         self.beside.reached_keys.iter().chain(&self.beside.all_keys).map(Verified::misses).sum()
     }
 }
 
 impl<'t, T: Topology, H> Tables<'t, T, H> {
-    /// A tree with tables that were made for it.
+    /// Combines a tree with its tables.
     pub const fn with(tree: &'t T, axes: &'t [u8], beside: AuxTables<H>) -> Self {
         Self { tree, axes, beside: Held::Own(beside) }
     }
 
-    /// The tree, with the links that these traversals follow.
+    /// Returns the tree, with the links that these traversals follow.
     #[inline]
     pub fn tree(&self) -> LinkedTree<'_, T> {
         Linked::over(self.tree, &self.beside.links)
     }
 
-    /// Runs one search. `memory` is the stack's, kept between searches; `octant` gives the signs of the direction,
-    /// for the traversals that order children by it.
+    /// Runs one search. `memory` is the stack's, reused between searches; `octant` has the signs of the direction, for
+    /// the traversals that order children by them.
     ///
     /// # Errors
     /// [`Unsupported`], before the first step.
@@ -177,7 +178,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         self.run_over::<W, _, S>(&self.tree(), method, octant, memory, search, recorder)
     }
 
-    /// The same over another view of the tree, which says the same: one that watches what is read.
+    /// Runs one search over another, equivalent view of the tree: one that observes the reads.
     ///
     /// # Errors
     /// [`Unsupported`], before the first step.
@@ -200,9 +201,9 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         method.dispatch::<W, _>(Run { from: self.over(tree, octant, memory), search, recorder })
     }
 
-    /// [`run`](Self::run) in a word that is known only when the program runs.
+    /// Calls [`run`](Self::run) in a word that is known only at run time.
     ///
-    /// A search of type `&mut dyn` shares one body with all others, so that not all traversals are compiled for each of
+    /// A search of type `&mut dyn` shares one body with all other searches, so traversals are not compiled for each of
     /// them.
     ///
     /// # Errors
@@ -227,7 +228,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         }
     }
 
-    /// Makes the cursor of a traversal that [can be put aside](Method::can_pause).
+    /// Creates the cursor of a traversal that [can be paused](Method::can_pause).
     ///
     /// # Errors
     /// [`Unsupported`].
@@ -239,7 +240,7 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         method.dispatch_pausing::<W, _>(Call { from: self.over(&self.tree(), 0, &mut Vec::new()), f })
     }
 
-    /// What cursors are made from.
+    /// Returns the source of cursors.
     pub fn over<'s, X>(
         &'s self,
         tree: &'s X,
@@ -250,14 +251,14 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
         FromTables { beside: &self.beside, axes: self.axes, tree, layout, octant, memory }
     }
 
-    /// Whether the tree's own records name what a traversal follows, and its layout is one: then
-    /// [`directly`](Self::directly) has all that it needs.
+    /// Returns whether the tree's own records have the links of a traversal, and its layout is implicit: then
+    /// [`directly`](Self::directly) needs no tables.
     #[inline]
     pub fn are_direct(&self, method: Method) -> bool {
         self.tree.names(method.wants_recorded()) && !matches!(self.beside.layout, Some(Layout::Map(_)))
     }
 
-    /// What cursors are made from over the tree itself, so that nobody asks at each read where links and addresses are.
+    /// Returns the source of cursors over the tree itself, without a choice of links and addresses at each read.
     #[inline]
     pub fn directly<'s>(&'s self, octant: u8, memory: &'s mut Vec<Node>) -> FromTables<'s, T, H, ImplicitCells<'s>> {
         let layout = match &self.beside.layout {
@@ -268,16 +269,16 @@ impl<'t, T: Topology, H> Tables<'t, T, H> {
     }
 }
 
-/// Something to do with a cursor whose type is known only when the program runs.
+/// A generic function of a cursor whose type is known only at run time.
 pub trait WithCursor<W> {
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it with a cursor at the root.
+    /// Calls the function with a cursor at the root.
     fn call(self, cursor: impl Pause<Word = W>) -> Self::Output;
 }
 
-/// Tables, and what differs from one search to the next.
+/// Tables, and the inputs that change with each search.
 #[derive(Debug)]
 pub struct FromTables<'s, X, H, L> {
     beside: &'s AuxTables<H>,
@@ -349,7 +350,7 @@ impl<'s, W: KeyWord, X: Topology, H: Lookup<W>, L: Lookup<W> + Copy> Supply<'s, 
     }
 }
 
-/// Runs to the end.
+/// A run to the end of a search.
 pub(crate) struct Run<'a, F, S, R> {
     pub(crate) from: F,
     pub(crate) search: &'a mut S,

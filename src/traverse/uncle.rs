@@ -1,4 +1,4 @@
-//! Binder & Keller 2016, Section 2.2.1: register and uncles, and a climb by two levels a step instead of a hash.
+//! Binder & Keller 2016, Section 2.2.1: register and uncles, and a climb of two levels per step instead of a hash.
 
 use core::mem::take;
 
@@ -11,10 +11,10 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Node, Recorded, Topology};
 
-/// Goes to the register's node where it is set, else climbs along grand uncles, which stand in for the grandparents:
-/// they have the same uncles. `[UNCLE-2]`
+/// Goes to the register's node if it is set. Otherwise it climbs along grand uncles, which represent the grandparents
+/// because they have the same uncles. `[UNCLE-2]`
 ///
-/// With [`Disjoint`](super::Disjoint) for `M` it carries a second trail, by which a hit ends what lies behind it.
+/// With [`Disjoint`](super::Disjoint) for `M` it has a second trail, which lets a hit prune the nodes behind it.
 #[derive(Debug)]
 pub struct Uncle<'t, W, T, M = ()> {
     tree: &'t T,
@@ -25,11 +25,11 @@ pub struct Uncle<'t, W, T, M = ()> {
 }
 
 impl<'t, W: KeyWord, T: Topology, M: Marks<W>> Uncle<'t, W, T, M> {
-    /// Starts at the root. Records that name no grand uncle do not compile: the climb by two levels would pass over it.
+    /// Starts at the root. Records without a grand uncle do not compile: the climb by two levels would pass over it.
     ///
     /// # Errors
-    /// [`Unsupported::NoLinks`] where the tree names no uncles, and [`Unsupported::TooDeep`] beyond as many edges as the word
-    /// has bits.
+    /// [`Unsupported::NoLinks`] if the tree has no uncles, and [`Unsupported::TooDeep`] for trees deeper than the bits
+    /// of the word.
     #[inline]
     pub fn new(tree: &'t T) -> Result<Self, Unsupported> {
         const { assert!(T::REACH.of(false) >= 2 && T::REACH.of(true) >= 2, "the climb needs grand uncles") };
@@ -74,7 +74,8 @@ impl<W: KeyWord, T: Topology, M: Marks<W>> Cursor for Uncle<'_, W, T, M> {
 
     #[inline(always)]
     fn backtrack(&mut self) -> bool {
-        // Over right records the register is filled before the trail runs out; over wrong ones this still ends.
+        // With correct records the register is filled before the trail runs out; with wrong records this loop still
+        // ends.
         while !self.trail.is_zero() {
             self.register.fill(self.tree, self.node, self.trail.low_bits());
             if let Some(next) = self.register.take(self.tree) {

@@ -1,4 +1,4 @@
-//! Why a traversal does not run on a tree.
+//! Errors of traversals that do not support a tree.
 
 use core::fmt;
 
@@ -6,7 +6,7 @@ use super::NotComplete;
 use crate::key::TooDeep;
 use crate::tree::{Recorded, Topology};
 
-/// Why a traversal does not run on a tree. `[CONF-3]` `[DISJOINT-5]`
+/// The reason why a traversal does not support a tree. `[CONF-3]` `[DISJOINT-5]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unsupported {
     /// The tree is too deep for the word.
@@ -18,19 +18,19 @@ pub enum Unsupported {
         /// Name of the word.
         word: &'static str,
     },
-    /// The tree does not name these nodes, in its records or [beside them](crate::tree::Linked).
+    /// The tree does not have these links, in its records or in [tables](crate::tree::Linked).
     NoLinks(Recorded),
-    /// The tables were not made for this traversal.
+    /// The tables do not include those of this traversal.
     NoTable,
-    /// The traversal's state cannot be put aside.
+    /// The traversal cannot be paused.
     NoPause,
-    /// The traversal leaves out what lies behind a hit, and the search does not [allow](crate::order::Pruned::allows)
-    /// that: it does not take children in the order of distance, or does not say which are disjoint.
+    /// The traversal skips nodes behind a hit, and the search does not [allow](crate::order::Pruned::allows) this: it
+    /// does not take children in the order of distance, or does not mark disjoint children.
     Unordered,
 }
 
 impl Unsupported {
-    /// For constructors of cursors that follow links.
+    /// Checks links for constructors of cursors.
     pub(super) fn unless_linked(tree: &impl Topology, wanted: Recorded) -> Result<(), Self> {
         if tree.names(wanted) { Ok(()) } else { Err(Self::NoLinks(wanted)) }
     }

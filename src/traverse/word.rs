@@ -17,7 +17,7 @@ impl WordName {
     /// All words that traversals are run with, narrowest first.
     pub const ALL: [Self; 4] = [Self::U32, Self::U64, Self::U128, Self::Grow];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::U32 => u32::NAME,
@@ -27,7 +27,7 @@ impl WordName {
         }
     }
 
-    /// The narrowest word that carries this depth, in edges, in every traversal.
+    /// Returns the narrowest word that carries this depth, in edges, in every traversal.
     pub const fn narrowest(depth: u32) -> Self {
         match depth {
             0..=30 => Self::U32,
@@ -40,16 +40,16 @@ impl WordName {
 
 named!(WordName);
 
-/// Something to do with a word that is known only when the program runs.
+/// A generic function of a word that is known only at run time.
 pub trait WithWord {
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it with the word `W`.
+    /// Calls the function with the word `W`.
     fn call<W: KeyWord>(self) -> Self::Output;
 }
 
-/// Picks the type of a word by its name.
+/// Calls a function with the type of a named word.
 pub fn with_word<F: WithWord>(word: WordName, f: F) -> F::Output {
     match word {
         WordName::U32 => f.call::<u32>(),

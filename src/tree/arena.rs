@@ -26,7 +26,7 @@ pub struct Tree {
     links: Vec<[Node; 2]>,
 }
 
-/// Why an array of children is not a tree.
+/// Errors of [`Tree::new`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TreeError {
     /// The array is empty.
@@ -36,20 +36,20 @@ pub enum TreeError {
         /// Number of nodes.
         nodes: usize,
     },
-    /// A child's number is not in the array.
+    /// The number of a child is out of range.
     OutOfRange {
         /// The parent.
         node: u32,
-        /// What it names.
+        /// The child's number.
         child: u32,
         /// Number of nodes.
         nodes: u32,
     },
-    /// A node is reached a second time: it has two parents, or stands below itself.
+    /// A node is reached a second time: it has two parents, or is its own descendant.
     ReachedTwice {
         /// The node.
         node: u32,
-        /// The second parent that names it.
+        /// The second parent.
         parent: u32,
     },
     /// A node is not reached from the root.
@@ -82,10 +82,10 @@ impl core::error::Error for TreeError {}
 impl Tree {
     /// Builds a tree from the children of each node (`None` for a leaf). Node 0 is the root. `[TREE-2]`
     ///
-    /// Linear in time and memory, without recursion, so that any depth is fine.
+    /// Linear in time and memory, without recursion, so any depth is supported.
     ///
     /// # Errors
-    /// [`TreeError`] names the node at which the array is not a tree.
+    /// [`TreeError`] with the node at which the array is not a tree.
     pub fn new(children: &[Option<[u32; 2]>]) -> Result<Self, TreeError> {
         let address = |index: u32| {
             let leaf = children[index as usize].is_none();
@@ -103,8 +103,8 @@ impl Tree {
         Ok(Self { root: address(0), children: arena, depth: deepest, recorded: Recorded::Nothing, links: Vec::new() })
     }
 
-    /// The tree of a generator, which makes nothing but trees; a single leaf should that ever be wrong, which the
-    /// generators' tests would show.
+    /// Builds the tree of a generator, whose output is always a tree. If it were not, the result would be a single
+    /// leaf, which the generators' tests would detect.
     pub fn from_generated(children: &[Option<[u32; 2]>]) -> Self {
         let tree = Self::new(children);
         debug_assert!(tree.is_ok(), "{tree:?}");
@@ -114,22 +114,22 @@ impl Tree {
         })
     }
 
-    /// The same tree, with other references in its records.
+    /// Returns this tree with other references in its records.
     #[must_use]
     pub fn with_links(self, recorded: Recorded) -> Self {
         let links = if recorded == Recorded::Nothing { Vec::new() } else { link_rows(&self, recorded) };
         Self { recorded, links, ..self }
     }
 
-    /// The node with this number.
+    /// Returns the node with this number.
     pub fn node(&self, index: u32) -> Option<Node> {
         let pair = self.children.get(index as usize)?;
-        // The root is nobody's child, so only a leaf names it as one.
+        // The root is no node's child, so only a leaf has it as a child.
         let leaf = pair[0] == Node::inner(0);
         Some(if leaf { Node::leaf(index) } else { Node::inner(index) })
     }
 
-    /// The array of children from which [`Tree::new`] makes this tree.
+    /// Returns the array of children from which [`Tree::new`] builds this tree.
     pub fn to_children(&self) -> Vec<Option<[u32; 2]>> {
         let numbers = |pair: &[Node; 2]| pair.map(|child| child.index() as u32);
         self.children.iter().map(|pair| (pair[0] != Node::inner(0)).then(|| numbers(pair))).collect()
@@ -137,10 +137,10 @@ impl Tree {
 }
 
 /// Visits the nodes of an array of children, a parent before its children, with their depths: edges from node 0, the
-/// root. All children of a node that is visited are in the array.
+/// root. All children of a visited node are in the array.
 ///
 /// # Errors
-/// What is not a tree; and the first error of `visit`.
+/// [`TreeError`] if the array is not a tree; otherwise the first error of `visit`.
 pub(crate) fn walk<L: AsRef<[u32]>, E: From<TreeError>>(
     children: &[Option<L>],
     mut visit: impl FnMut(u32, u32) -> Result<(), E>,
@@ -261,7 +261,7 @@ mod tests {
     #[test]
     fn addresses_keep_the_top_bit_for_leaves() {
         assert_eq!(Node::MAX_INDEX, (1 << 31) - 2);
-        // One more, and all bits plus one would be 0, which marks an empty cell of a table.
+        // With one more, all bits plus one would be 0, which marks an empty cell of a table.
         assert_eq!(Node::leaf(Node::MAX_INDEX + 1).to_bits(), u32::MAX);
         for index in [0, 5, Node::MAX_INDEX] {
             let (inner, leaf) = (Node::inner(index), Node::leaf(index));

@@ -1,8 +1,8 @@
 //! The implicit layout: the address of a node is its key minus one.
 //!
 //! Barringer & Akenine-Möller (2013, Section 2) store depth `d` at addresses `2^d - 1` to `2^(d+1) - 2` and leave gaps
-//! where the tree has no nodes: "it is enough to allocate the address space for them". So does this layout: a plain
-//! vector where the tree is shallow, reserved virtual memory, of which only the touched pages exist, where it is not.
+//! where the tree has no nodes: "it is enough to allocate the address space for them". This layout works likewise: a
+//! plain vector for shallow trees, and for other trees reserved virtual memory, where only the touched pages exist.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -18,7 +18,7 @@ pub struct Implicit {
     pages: usize,
 }
 
-/// One 32-bit cell an address: the node's bits plus one, 0 in a gap (as untouched memory is).
+/// One 32-bit cell per address: the node's bits plus one, 0 in a gap (like untouched memory).
 #[derive(Debug)]
 enum Cells {
     Plain(Vec<u32>),
@@ -26,22 +26,22 @@ enum Cells {
     Reserved(memmap2::MmapMut),
 }
 
-/// Why a tree has no implicit layout.
+/// Errors of [`Implicit::of`].
 #[derive(Debug)]
 pub enum ImplicitError {
     /// The address space would be larger than this crate reserves.
     TooDeep {
         /// Depth of the tree, in edges.
         depth: u32,
-        /// Greatest depth that is laid out.
+        /// Greatest supported depth.
         limit: u32,
     },
     /// The system refused to reserve the address space.
     #[cfg(feature = "std")]
     Reserve {
-        /// Bytes asked for.
+        /// Requested bytes.
         bytes: usize,
-        /// What the system said.
+        /// The system's error.
         source: std::io::Error,
     },
 }
@@ -63,13 +63,13 @@ impl fmt::Display for ImplicitError {
 impl core::error::Error for ImplicitError {}
 
 impl Implicit {
-    /// Deepest tree that is laid out: 16 GiB of address space with `std`, 128 MiB of memory without.
+    /// Greatest supported depth: 16 GiB of address space with `std`, 128 MiB of memory without.
     pub const LIMIT: u32 = if cfg!(feature = "std") { 31 } else { 24 };
 
     /// Moves a tree to its predetermined addresses.
     ///
     /// # Errors
-    /// [`ImplicitError`], for a tree that is too deep or where address space is short.
+    /// [`ImplicitError`], if a tree is too deep or address space is short.
     pub fn of(tree: &impl Topology) -> Result<Self, ImplicitError> {
         let depth = tree.depth();
         if depth > Self::LIMIT {
@@ -90,30 +90,30 @@ impl Implicit {
         Ok(Self { cells, pages: is_touched.into_iter().filter(|&is_touched| is_touched).count() })
     }
 
-    /// Memory of the pages that hold nodes, in bytes; of the address space in between, nothing exists.
+    /// Returns the memory of the pages that hold nodes, in bytes; the address space in between uses no memory.
     pub fn bytes(&self) -> usize {
         self.pages * PAGE_CELLS * size_of::<u32>()
     }
 
-    /// Its cells: for many lookups.
+    /// Returns its cells: for many lookups.
     #[inline]
     pub fn cells(&self) -> ImplicitCells<'_> {
         ImplicitCells(self.cells.as_slice())
     }
 
-    /// The node at an address; `None` in a gap and beyond the last level.
+    /// Returns the node at an address; `None` in a gap and beyond the last level.
     #[inline]
     pub fn at(&self, address: usize) -> Option<Node> {
         self.cells().at(address)
     }
 }
 
-/// The cells of an [`Implicit`] layout. Where they are is found once, and not for each node.
+/// The cells of an [`Implicit`] layout. Their location is resolved once, not for each node.
 #[derive(Clone, Copy, Debug)]
 pub struct ImplicitCells<'t>(&'t [u32]);
 
 impl ImplicitCells<'_> {
-    /// As [`Implicit::at`].
+    /// Computes [`Implicit::at`].
     #[inline]
     pub fn at(&self, address: usize) -> Option<Node> {
         let cell = *self.0.get(address)?;
@@ -121,7 +121,7 @@ impl ImplicitCells<'_> {
     }
 }
 
-/// Deepest tree that is kept in a plain vector (64 KiB) where there is a choice.
+/// Deepest tree for which the plain vector (64 KiB) is preferred.
 #[cfg(feature = "std")]
 const PLAIN: u32 = 13;
 
@@ -178,7 +178,7 @@ mod tests {
         for depth in [0, 1, 5, 13, 14, Implicit::LIMIT] {
             let tree = comb(depth);
             let layout = Implicit::of(&tree).unwrap();
-            // The first 10 levels share a page; each level below has both its nodes in another one.
+            // The first 10 levels share a page; each level below has both its nodes in another page.
             assert_eq!(layout.bytes(), 4096 * (1 + depth.saturating_sub(9) as usize));
             // The comb leans right: the inner node at depth d has key 2^(d+1) - 1, its left child is a leaf.
             for d in 0..depth {

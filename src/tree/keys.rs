@@ -6,10 +6,10 @@ use alloc::vec::Vec;
 use super::{Node, Topology, for_each_parent};
 use crate::key::{self, KeyWord, PIECE, Side};
 
-/// Maps nodes to keys, for every word, to check that address and key keep in step.
+/// Maps nodes to keys, for every word, to check that address and key stay consistent.
 ///
-/// A key is cut into pieces of 63 bits from the root down. A row holds the last piece of its node's key and the
-/// ancestor at which the piece before it is complete; keys of up to 63 bits are read off one row.
+/// A key is divided into pieces of 63 bits from the root down. A row holds the last piece of its node's key and the
+/// ancestor at which the previous piece is complete. Keys of up to 63 bits need one row.
 #[derive(Clone, Debug)]
 pub struct Keys {
     rows: Vec<Row>,
@@ -23,7 +23,7 @@ struct Row {
 }
 
 impl Keys {
-    /// The keys of a tree.
+    /// Computes the keys of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         let root = Row { piece: 1, depth: 0, above: 0 };
         let mut rows = vec![root; tree.node_count()];
@@ -42,18 +42,18 @@ impl Keys {
         Self { rows }
     }
 
-    /// Memory of the rows, in bytes.
+    /// Returns the memory of the rows, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.rows)
     }
 
-    /// Depth, in edges, of the node with this slot.
+    /// Returns the depth, in edges, of the node with this slot.
     #[inline]
     pub fn depth(&self, slot: usize) -> u32 {
         self.rows[slot].depth
     }
 
-    /// Whether `key` is the key of the node with this slot.
+    /// Returns whether `key` is the key of the node with this slot.
     #[inline]
     pub fn is(&self, slot: usize, key: &impl KeyWord) -> bool {
         let row = self.rows[slot];
@@ -76,7 +76,7 @@ impl Keys {
         }
     }
 
-    /// The key of the node with this slot, in a word that carries its depth (else its low bits).
+    /// Returns the key of the node with this slot, in a word that carries its depth (otherwise its low bits).
     pub fn key<W: KeyWord>(&self, slot: usize) -> W {
         let mut row = self.rows[slot];
         let mut pieces = vec![row];
@@ -93,7 +93,7 @@ impl Keys {
         key
     }
 
-    /// The node with this key: walks down from the root by the key's bits. `None` if there is none.
+    /// Finds the node with this key: walks down from the root by the key's bits. `None` if there is none.
     pub fn walk<W: KeyWord>(tree: &impl Topology, key: &W) -> Option<Node> {
         let length = key.bit_length();
         let mut node = tree.root();

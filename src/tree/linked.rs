@@ -1,13 +1,13 @@
-//! A tree with its links beside it.
+//! A tree with tables of links.
 
 use core::borrow::Borrow;
 
 use super::{Links, Node, Reach, Recorded, Topology, Uncles};
 
-/// A tree with tables of the links that its own records do not name: for many traversals of one tree.
+/// A tree with tables of the links that its own records do not have: for many traversals of one tree.
 ///
-/// Records of inner nodes are taken to name the first `INNER` of the uncles, and those of leaves the first `LEAF` (1
-/// to 3, else it does not compile).
+/// The traversals use the first `INNER` uncles in records of inner nodes, and the first `LEAF` in those of leaves (1 to
+/// 3, otherwise it does not compile).
 ///
 /// ```
 /// use stackless_bvh::traverse::{Afra, Unsupported};
@@ -26,29 +26,29 @@ pub struct Linked<'t, T, const INNER: u32 = 2, const LEAF: u32 = 2, L = Links> {
 }
 
 impl<'t, T: Topology> Linked<'t, T> {
-    /// The tree, with parents and siblings.
+    /// Adds parents and siblings to a tree.
     pub fn parents(tree: &'t T) -> Self {
         Self::naming(tree, &[Recorded::ParentSibling])
     }
 
-    /// The tree, with uncles and grand uncles.
+    /// Adds uncles and grand uncles to a tree.
     pub fn uncles(tree: &'t T) -> Self {
         Self::naming(tree, &[Recorded::Uncles])
     }
 
-    /// The tree, with all of these.
+    /// Adds parents, siblings, uncles and grand uncles to a tree.
     pub fn both(tree: &'t T) -> Self {
         Self::naming(tree, &[Recorded::ParentSibling, Recorded::Uncles])
     }
 
-    /// The tree, with what is listed.
+    /// Adds the listed links to a tree.
     pub fn naming(tree: &'t T, what: &[Recorded]) -> Self {
         Self { tree, links: Links::of(tree, what) }
     }
 }
 
 impl<'t, T, L: Borrow<Links>> Linked<'t, T, 2, 2, L> {
-    /// The tree, with tables that were made for it.
+    /// Combines a tree with its tables.
     #[inline]
     pub const fn over(tree: &'t T, links: L) -> Self {
         Self { tree, links }
@@ -56,17 +56,17 @@ impl<'t, T, L: Borrow<Links>> Linked<'t, T, 2, 2, L> {
 }
 
 impl<'t, T: Topology, const INNER: u32, const LEAF: u32> Linked<'t, T, INNER, LEAF> {
-    /// The tree, with uncles as far as this type says.
+    /// Adds uncles to a tree, up to the reach of this type.
     pub fn reaching(tree: &'t T) -> Self {
         Self { tree, links: Links { parents: None, uncles: Some(Uncles::of(tree)) } }
     }
 
-    /// The tree itself.
+    /// Returns the tree itself.
     pub fn tree(&self) -> &'t T {
         self.tree
     }
 
-    /// Memory of the tables, in bytes.
+    /// Returns the memory of the tables, in bytes.
     pub fn bytes(&self) -> usize {
         self.links.bytes()
     }

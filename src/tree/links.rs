@@ -1,4 +1,4 @@
-//! References beyond the children: tables beside a tree, made from any topology.
+//! Tables of references beyond the children, for any topology.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -12,24 +12,24 @@ pub struct Parents {
 }
 
 impl Parents {
-    /// The table of a tree.
+    /// Computes the table of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         Self { rows: link_rows(tree, Recorded::ParentSibling) }
     }
 
-    /// Parent and sibling of a node of that tree.
+    /// Returns parent and sibling of a node of that tree.
     #[inline(always)]
     pub fn row(&self, tree: &impl Topology, node: Node) -> [Node; 2] {
         self.rows[tree.slot(node)]
     }
 
-    /// Memory of the references, in bytes.
+    /// Returns the memory of the references, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.rows)
     }
 }
 
-/// What the records of a tree do not name, as tables beside it.
+/// Tables of the links that the records of a tree do not have.
 #[derive(Clone, Debug, Default)]
 pub struct Links {
     pub(super) parents: Option<Parents>,
@@ -37,7 +37,7 @@ pub struct Links {
 }
 
 impl Links {
-    /// What is listed, as far as the tree does not name it itself.
+    /// Computes the listed links, except those that the tree already has.
     pub fn of(tree: &impl Topology, what: &[Recorded]) -> Self {
         let wants = |links| what.contains(&links) && !tree.names(links);
         let parents = wants(Recorded::ParentSibling).then(|| Parents::of(tree));
@@ -45,13 +45,13 @@ impl Links {
         Self { parents, uncles }
     }
 
-    /// Memory of the tables, in bytes.
+    /// Returns the memory of the tables, in bytes.
     pub fn bytes(&self) -> usize {
         self.parents.as_ref().map_or(0, Parents::bytes) + self.uncles.as_ref().map_or(0, Uncles::bytes)
     }
 }
 
-/// The two nodes that each record is to name, by slot.
+/// Returns the two nodes for each record, by slot.
 pub(crate) fn link_rows(tree: &impl Topology, what: Recorded) -> Vec<[Node; 2]> {
     let root = tree.root();
     let mut rows = vec![[root; 2]; tree.node_count()];
@@ -70,7 +70,7 @@ pub(crate) fn link_rows(tree: &impl Topology, what: Recorded) -> Vec<[Node; 2]> 
     rows
 }
 
-/// How many ancestors' siblings a record stores: 1 the uncle, 2 the grand uncle too, 3 the grand grand uncle too.
+/// The number of ancestors' siblings in a record: 1 the uncle, 2 also the grand uncle, 3 also the grand grand uncle.
 ///
 /// The text of Binder & Keller gives leaves three references, their Algorithm 1 and Fig. 5 two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,19 +85,19 @@ impl Reach {
     /// Two for inner nodes and three for leaves: Section 2.1.
     pub const SECTION_2_1: Self = Self { inner: 2, leaf: 3 };
 
-    /// Any reach from 1 to 3; `None` for others.
+    /// Creates any reach from 1 to 3; `None` for other numbers.
     pub const fn new(inner: u32, leaf: u32) -> Option<Self> {
         let fits = matches!(inner, 1..=3) && matches!(leaf, 1..=3);
         if fits { Some(Self { inner, leaf }) } else { None }
     }
 
-    /// How many a record of this kind names.
+    /// Returns the number for a record of this kind.
     #[inline]
     pub const fn of(self, leaf: bool) -> u32 {
         if leaf { self.leaf } else { self.inner }
     }
 
-    /// Trail bits whose nodes a record of this kind names, from bit 1 up (0x6 for a reach of two).
+    /// Returns the trail bits whose nodes are in a record of this kind, from bit 1 up (0x6 for a reach of two).
     #[inline]
     pub const fn mask(self, leaf: bool) -> u32 {
         (2 << self.of(leaf)) - 2
@@ -111,24 +111,24 @@ pub struct Uncles {
 }
 
 impl Uncles {
-    /// The table of a tree.
+    /// Computes the table of a tree.
     pub fn of(tree: &impl Topology) -> Self {
         Self { rows: uncle_rows(tree) }
     }
 
-    /// Uncle, grand uncle and grand grand uncle of a node of that tree.
+    /// Returns uncle, grand uncle and grand grand uncle of a node of that tree.
     #[inline(always)]
     pub fn row(&self, tree: &impl Topology, node: Node) -> [Node; 3] {
         self.rows[tree.slot(node)]
     }
 
-    /// Memory of the references, in bytes.
+    /// Returns the memory of the references, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.rows)
     }
 }
 
-/// Uncle, grand uncle and grand grand uncle of every node, by slot.
+/// Returns uncle, grand uncle and grand grand uncle of every node, by slot.
 fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
     let root = tree.root();
     let mut rows = vec![[root; 3]; tree.node_count()];
@@ -147,7 +147,7 @@ fn uncle_rows(tree: &impl Topology) -> Vec<[Node; 3]> {
 
 /// Calls `f` for each inner node and its children, parents before children, without recursion.
 pub(crate) fn for_each_parent<T: Topology>(tree: &T, mut f: impl FnMut(Node, [Node; 2])) {
-    // At most one more than the tree is deep: where that is little, it is allocated once.
+    // At most one more than the tree's depth: if that is small, it is allocated once.
     let mut pending = Vec::with_capacity(tree.depth().min(63) as usize + 1);
     pending.push(tree.root());
     while let Some(node) = pending.pop() {
@@ -201,7 +201,7 @@ mod tests {
         let with_uncles = nothing.clone().with_links(Recorded::Uncles);
         assert_eq!(names(&|what| with_parents.names(what)), [true, true, false]);
         assert_eq!(names(&|what| with_uncles.names(what)), [true, false, true]);
-        // What the records name is no table beside them.
+        // The tables omit links that are in the records.
         let [beside_parents, beside_uncles] = [&with_parents, &with_uncles].map(Linked::both);
         assert_eq!((beside_parents.bytes(), beside_uncles.bytes()), (uncles.bytes(), parents.bytes()));
         assert_eq!(Linked::both(&nothing).bytes(), uncles.bytes() + parents.bytes());

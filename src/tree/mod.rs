@@ -1,8 +1,8 @@
-//! Topology: which node has which children. No geometry.
+//! Topology: the children of each node, without geometry.
 //!
-//! A traversal sees a tree through [`Topology`]; the arena [`Tree`] of the checks and the [`Bvh`](crate::bvh) of
+//! A traversal accesses a tree through [`Topology`]; the arena [`Tree`] of the checks and the [`Bvh`](crate::bvh) of
 //! the ray tracer both implement it. Links beyond the children (parent and sibling, or uncles) are in the records of a
-//! tree that is made with them; a [`Linked`] one has those beside it that its records do not name.
+//! tree that is built with them. A [`Linked`] tree has tables for the links that its records lack.
 
 mod arena;
 mod implicit;
@@ -35,37 +35,37 @@ impl Node {
     /// tables mark an empty cell by 0.)
     pub const MAX_INDEX: u32 = Self::LEAF - 2;
 
-    /// The inner node with this index (the top bit is dropped).
+    /// Creates the inner node with this index (the top bit is dropped).
     #[inline]
     pub const fn inner(index: u32) -> Self {
         Self(index & !Self::LEAF)
     }
 
-    /// The leaf with this index (the top bit is dropped).
+    /// Creates the leaf with this index (the top bit is dropped).
     #[inline]
     pub const fn leaf(index: u32) -> Self {
         Self(index | Self::LEAF)
     }
 
-    /// Whether this is a leaf.
+    /// Returns whether this is a leaf.
     #[inline]
     pub const fn is_leaf(self) -> bool {
         self.0 & Self::LEAF != 0
     }
 
-    /// Index in the array of its kind.
+    /// Returns the index in the array of its kind.
     #[inline]
     pub const fn index(self) -> usize {
         (self.0 & !Self::LEAF) as usize
     }
 
-    /// All 32 bits, for storage.
+    /// Returns all 32 bits, for storage.
     #[inline]
     pub const fn to_bits(self) -> u32 {
         self.0
     }
 
-    /// The address stored in these bits.
+    /// Returns the address stored in these bits.
     #[inline]
     pub const fn from_bits(bits: u32) -> Self {
         Self(bits)
@@ -80,22 +80,22 @@ impl core::fmt::Debug for Node {
 
 /// A binary tree: every inner node has two children, and every node is reached from the root exactly once. `[TREE-1]`
 ///
-/// Methods that take a node require one of this tree, and `children` an inner one; they panic for others.
+/// Methods with a node argument require a node of this tree, and `children` an inner node; they panic for other nodes.
 pub trait Topology {
-    /// How many of the uncles a record is taken to name.
+    /// The number of uncles that traversals use from a record.
     const REACH: Reach = Reach::ALGORITHM_1;
 
-    /// The node with key 1. It may be a leaf.
+    /// Returns the node with key 1. It may be a leaf.
     fn root(&self) -> Node;
 
-    /// Left and right child of an inner node.
+    /// Returns left and right child of an inner node.
     fn children(&self, node: Node) -> [Node; 2];
 
-    /// One child of an inner node.
+    /// Returns one child of an inner node.
     ///
-    /// The side is branched on, where a select would be shorter: then the processor goes on to the child that it
-    /// expects and loads its record while the boxes are still being tested. Selecting made the traversals of real
-    /// scenes slower by a fifth to a third (`benches/README.md`). A path called cold is what keeps the branch.
+    /// It branches on the side, although a select would be shorter. So the processor continues with the predicted child
+    /// and loads its record while the boxes are still being tested. A select made the traversals of real scenes slower
+    /// by a fifth to a third (`benches/README.md`). A path marked as cold keeps the branch.
     #[inline]
     fn child(&self, node: Node, side: Side) -> Node {
         let [left, right] = self.children(node);
@@ -107,57 +107,57 @@ pub trait Topology {
         }
     }
 
-    /// Number of inner nodes and leaves together.
+    /// Returns the number of inner nodes and leaves together.
     fn node_count(&self) -> usize;
 
-    /// Dense number of a node, in `0..node_count()`, for tables beside the tree.
+    /// Returns a dense index of a node, in `0..node_count()`, for separate tables.
     fn slot(&self, node: Node) -> usize;
 
-    /// Edges on the longest path from the root. 0 for a single leaf.
+    /// Returns the number of edges on the longest path from the root. 0 for a single leaf.
     fn depth(&self) -> u32;
 
-    /// Which nodes each record names besides the children; then no table beside the tree is needed for them.
+    /// Returns the nodes in each record, in addition to the children; they need no separate table.
     fn recorded(&self) -> Recorded {
         Recorded::Nothing
     }
 
-    /// The two nodes that the record of a node names besides the children, as [`recorded`](Self::recorded) says; the
-    /// root where there is no such node.
+    /// Returns the two nodes in a record, in addition to the children, by [`recorded`](Self::recorded); the root if
+    /// there is no such node.
     fn links(&self, _: Node) -> [Node; 2] {
         [self.root(); 2]
     }
 
-    /// Whether the methods below that ask for these are answered: for what the records name, or more if there are
-    /// tables beside them ([`Linked`]).
+    /// Returns whether the methods below support these links: for those in the records, or more if there are separate
+    /// tables ([`Linked`]).
     fn names(&self, what: Recorded) -> bool {
         what == Recorded::Nothing || what == self.recorded()
     }
 
-    /// Parent of a node. The root is its own parent and its own sibling: Barringer & Akenine-Möller's Algorithm 4 ends
-    /// by that.
+    /// Returns the parent of a node. The root is its own parent and its own sibling: Barringer & Akenine-Möller's
+    /// Algorithm 4 ends by that.
     #[inline(always)]
     fn parent(&self, node: Node) -> Node {
         self.links(node)[0]
     }
 
-    /// Sibling of a node.
+    /// Returns the sibling of a node.
     #[inline(always)]
     fn sibling(&self, node: Node) -> Node {
         self.links(node)[1]
     }
 
-    /// Uncle, grand uncle, and grand grand uncle if the [reach](Self::REACH) is three: the siblings of a node's parent,
-    /// grandparent and so on. Where there is none, it is the root, which is never postponed. `[UNCLE-1]`
+    /// Returns uncle, grand uncle, and grand grand uncle if the [reach](Self::REACH) is three: the siblings of a node's
+    /// parent, grandparent and so on. An absent one is the root, which is never postponed. `[UNCLE-1]`
     #[inline(always)]
     fn uncles(&self, node: Node) -> [Node; 3] {
         let [uncle, grand_uncle] = self.links(node);
         [uncle, grand_uncle, self.root()]
     }
 
-    /// The lowest postponed node that the record of `node` names, given the low bits of its trail; `otherwise` if it
-    /// names none. `[UNCLE-2]`
+    /// Returns the lowest postponed node in the record of `node`, given the low bits of its trail; `otherwise` if the
+    /// record has none. `[UNCLE-2]`
     ///
-    /// Without a branch: which bits of a trail are set is hard to predict, and the trail is known early.
+    /// Without a branch: the set bits of a trail are hard to predict, and the trail is known early.
     #[inline(always)]
     fn lowest_pending(&self, node: Node, trail: u32, otherwise: Node) -> Node {
         let pending = trail & Self::REACH.mask(node.is_leaf());
@@ -167,24 +167,25 @@ pub trait Topology {
         select_unpredictable(pending & 2 != 0, uncle, named)
     }
 
-    /// The same on the way down from an inner node, of what the child's record, be it a leaf's or not, will not name
-    /// any more; `otherwise` also where the child still names the lowest one.
+    /// Returns the lowest postponed node in the record of an inner node that the child's record, of a leaf or not, will
+    /// not have; `otherwise` also if the child still has the lowest one.
     #[inline(always)]
     fn lowest_leaving(&self, node: Node, trail: u32, otherwise: Node) -> Node {
-        // Bit b of the trail is bit b + 1 at the child. (Bit 0, which no record names, has its node in the register.)
+        // Bit b of the trail is bit b + 1 at the child. (Bit 0, which is in no record, has its node in the register.)
         let named_below = (Self::REACH.mask(false) & Self::REACH.mask(true)) >> 1;
         let lowest = self.lowest_pending(node, trail & !named_below, otherwise);
         select_unpredictable(trail & named_below != 0, otherwise, lowest)
     }
 }
 
-/// For a [`Topology`] that wraps another, which stands in the field `$tree`: all but the links is as there.
+/// Implements a [`Topology`] that wraps another one in the field `$tree`: all methods except those for links delegate
+/// to it.
 ///
 /// ```
 /// use std::cell::Cell;
 /// use stackless_bvh::tree::{Node, Topology, Tree};
 ///
-/// /// Counts how often a parent is asked for.
+/// /// Counts the queries for a parent.
 /// struct Counted<'t>(&'t Tree, Cell<u32>);
 ///
 /// impl Topology for Counted<'_> {
@@ -231,14 +232,14 @@ macro_rules! topology_of {
     };
 }
 
-/// What records name besides the children: two references fit where a record of 64 bytes has padding (Binder & Keller
-/// 2016, Fig. 4).
+/// The nodes in records, in addition to the children: two references fit in the padding of a record of 64 bytes (Binder
+/// & Keller 2016, Fig. 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Recorded {
     /// Nothing.
     #[default]
     Nothing,
-    /// Parent and sibling. The root names itself.
+    /// Parent and sibling. The root refers to itself.
     ParentSibling,
     /// Uncle and grand uncle.
     Uncles,

@@ -1,4 +1,4 @@
-//! Keys of `log2 A` bits a level.
+//! Keys of `log2 A` bits per level.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -8,14 +8,14 @@ use super::tree::Topology;
 use crate::key::Word;
 use crate::tree::Node;
 
-/// Bits of a slot's number: log2 A.
+/// Returns the bits of a slot's number: log2 A.
 #[inline(always)]
 pub(super) const fn slot_bits<const A: usize>() -> u32 {
     const { assert!(A == 2 || A == 4 || A == 8, "nodes have 2, 4 or 8 slots") };
     A.trailing_zeros()
 }
 
-/// Key of the child in a slot. `[WIDE-9]`
+/// Returns the key of the child in a slot. `[WIDE-9]`
 ///
 /// ```
 /// use stackless_bvh::wide::{ancestor_key, child_key, key_level};
@@ -32,7 +32,7 @@ pub fn child_key<const A: usize, W: Word>(mut key: W, slot: W) -> W {
     key.or(&slot)
 }
 
-/// Key of the ancestor so many levels up. `[WIDE-9]`
+/// Returns the key of the ancestor `levels` levels up. `[WIDE-9]`
 #[inline(always)]
 #[must_use]
 pub fn ancestor_key<const A: usize, W: Word>(key: W, levels: W::Shift) -> W
@@ -42,14 +42,14 @@ where
     key.shr(levels * slot_bits::<A>())
 }
 
-/// Levels below the root. `[WIDE-9]`
+/// Returns the number of levels below the root. `[WIDE-9]`
 #[inline]
 pub const fn key_level<const A: usize>(key: u64) -> u32 {
     (u64::BITS - 1 - key.leading_zeros()) / slot_bits::<A>()
 }
 
-/// The keys that a traversal can ask for when it goes back, with their nodes: those of the nodes that have an inner
-/// child and another child beside it. `[WIDE-16]`
+/// Returns the keys that a traversal can look up when it backtracks, with their nodes: those of the nodes with an inner
+/// child and at least one other child. `[WIDE-16]`
 ///
 /// Linear time, no recursion. The tree's keys must fit 64 bits: at most 63 / log2 A levels.
 pub fn asked_keys<const A: usize>(tree: &impl Topology<A>) -> Vec<(u64, Node)> {

@@ -1,4 +1,4 @@
-//! Three ways to an ancestor. `[WIDE-15]`
+//! Three methods to find an ancestor. `[WIDE-15]`
 
 use core::fmt::Debug;
 
@@ -7,18 +7,18 @@ use super::tree::Topology;
 use crate::hash::Lookup;
 use crate::tree::Node;
 
-/// A way from a node to its ancestors.
+/// A method to find the ancestors of a node.
 pub trait Link<const A: usize>: Debug {
-    /// At the root.
+    /// Resets to the root.
     fn clear(&mut self) {}
 
-    /// The traversal goes down to the child in a slot.
+    /// Records the descent to the child in a slot.
     fn enter(&mut self, slot: u32);
 
-    /// The traversal goes back to the ancestor so many levels up, at least one.
+    /// Returns the ancestor `up` levels up, at least one, to which the traversal returns.
     fn ancestor<T: Topology<A>>(&mut self, tree: &T, node: Node, up: u32) -> Node;
 
-    /// The key of the present node, where it is carried.
+    /// Returns the key of the current node, if the link has it.
     fn key(&self) -> Option<u64> {
         None
     }
@@ -41,7 +41,7 @@ impl<const A: usize> Link<A> for Parents {
     }
 }
 
-/// By the ancestors that the node's record names.
+/// By the ancestors in the node's record.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Recorded;
 
@@ -67,7 +67,7 @@ pub struct Hashed<L> {
 }
 
 impl<L> Hashed<L> {
-    /// At the root.
+    /// Starts at the root.
     #[inline]
     pub const fn new(table: L) -> Self {
         Self { key: 1, table }

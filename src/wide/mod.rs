@@ -1,10 +1,9 @@
-//! Wide trees: up to 2, 4 or 8 children a node, traversed without a stack.
+//! Wide trees: up to 2, 4 or 8 children per node, traversed without a stack.
 //!
 //! A traversal of a wide tree keeps, for each level above the node, the *set* of children that are still pending. The
-//! deepest set that is not empty says how many levels to go back: constant-time backtracking by keys (Binder & Keller
-//! 2016), for more than two children. The ancestor there is found by parents (Áfra & Szirmay-Kalos 2014), by
-//! references in the node's record, or by a perfect hash. spec/wide.md has the clauses; trees of two children are the
-//! case A = 2.
+//! deepest non-empty set determines the number of levels to climb: constant-time backtracking by keys (Binder & Keller
+//! 2016), for more than two children. The ancestor there is found by parents (Áfra & Szirmay-Kalos 2014), by references
+//! in the node's record, or by a perfect hash. spec/wide.md has the clauses; trees of two children are the case A = 2.
 //!
 //! As in [`traverse`](mod@crate::traverse), there is one loop ([`traverse()`]), one table of traversals ([`Method`]),
 //! one oracle, and no geometry.
@@ -31,7 +30,7 @@
 //!     }
 //! }
 //!
-//! // Node 0 has three children, of which node 2 has two.
+//! // Node 0 has the children 1, 2 and 3. Node 2 has the children 4 and 5.
 //! let tree = Tree::<4>::new(&[Some(&[1, 2, 3]), None, Some(&[4, 5]), None, None, None])?;
 //! let tables = Tables::new(&tree);
 //! let mut trace = Trace::default();
@@ -67,62 +66,62 @@ use crate::event::{Recorder, State};
 use crate::order::Flow;
 use crate::tree::Node;
 
-/// The state of one traversal of a wide tree, on its way.
+/// The state of one traversal of a wide tree.
 ///
-/// It holds no tree: whoever runs it gives the one that it was made for each time. So tree and search are known to look
-/// into the same nodes, and those of one node are found once.
+/// It holds no tree: callers pass the same tree every time. So tree and search access the same nodes, and each node is
+/// resolved once.
 pub trait Cursor<const A: usize> {
     /// Whether the cursor starts again from the root, and passes nodes that it has visited.
     const RESTARTS: bool = false;
 
-    /// Back to the root, for the next search.
+    /// Returns to the root, for the next search.
     fn reset(&mut self, tree: &impl Topology<A>);
 
-    /// The inner node that the search is to be asked about.
+    /// Returns the inner node for the next query of the search.
     fn node(&self) -> Node;
 
-    /// After the search was asked about [`node`](Self::node): the first of the children that it wants; of those that
-    /// are pending, if it was asked again. If it wants none, the [next](Self::next) pending one.
+    /// Chooses the next child after a query of [`node`](Self::node): the first child that the search wants; after a
+    /// repeated query, the first pending one. If the search wants none, it is the [next](Self::next) pending child.
     fn choose<T, S>(&mut self, tree: &T, wanted: Wanted<S::Ranks>, search: &mut S) -> Next
     where
         T: Topology<A>,
         S: Search<A>;
 
-    /// The next pending child.
+    /// Returns the next pending child.
     fn next<T: Topology<A>, S: Search<A>>(&mut self, tree: &T, search: &mut S) -> Next;
 
-    /// Goes down to the inner node that was named last.
+    /// Descends to the last returned inner node.
     fn enter(&mut self, node: Node);
 
-    /// The [end](Search::end) has become less.
+    /// Called when the [end](Search::end) has decreased.
     fn shortened(&mut self) {}
 
-    /// Whether [`node`](Self::node) has been visited before.
+    /// Returns whether [`node`](Self::node) has been visited before.
     fn is_restarting(&self) -> bool {
         false
     }
 
-    /// What is kept of the node so many levels above the parent of the child that was named last, or above the node
-    /// that was [entered](Self::enter) since; 0 for itself. `None` if nothing is kept by levels. For whoever shows or
-    /// compares it.
+    /// Returns the stored state of a node. The node is `up` levels above the parent of the last returned child, or
+    /// above the node [entered](Self::enter) since; 0 is that node itself. `None` if the state is not stored by levels.
+    /// For display and comparison.
     fn words(&self, _up: u32) -> Option<StateView> {
         None
     }
 
-    /// Key of [`node`](Self::node), where it is carried.
+    /// Returns the key of [`node`](Self::node), if the cursor has it.
     fn key(&self) -> Option<u64> {
         None
     }
 }
 
-/// What a cursor does next.
+/// The next action of a cursor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Next {
-    /// It visits a child.
+    /// Visit a child.
     Child(Node),
-    /// It has to know again what the search wants of its [node](Cursor::node).
+    /// Query the search about its [node](Cursor::node) again.
     Ask,
-    /// Nothing is left.
+    /// No node is left.
     End,
 }
 
@@ -133,7 +132,7 @@ impl From<Option<Node>> for Next {
     }
 }
 
-/// Runs a traversal to its end: the loop that all algorithms share. `[WIDE-7]`
+/// Runs a traversal to its end, in the loop that all algorithms share. `[WIDE-7]`
 #[inline(always)]
 pub fn traverse<const A: usize, T, C, S>(tree: &T, mut cursor: C, search: &mut S, recorder: &mut impl Recorder)
 where
@@ -152,9 +151,9 @@ where
     }
 }
 
-/// One turn of the loop: from the answer about a node to the next node that is to be asked about. `false` at the end.
+/// Runs one iteration of the loop: from the answer about a node to the next node to query. Returns `false` at the end.
 ///
-/// Whoever traces several rays in turns asks for one while the others' nodes are being loaded.
+/// Callers that interleave several rays query one ray while the nodes of the other rays are being loaded.
 #[inline(always)]
 pub fn advance<const A: usize, T, C, S>(
     tree: &T,
@@ -203,9 +202,11 @@ where
     }
 }
 
-/// Enters what comes next, if it is an inner node. The turn is over then, or it goes on with a leaf.
+/// Enters the next node if it is an inner node, which ends the iteration. Otherwise the iteration continues with a
+/// leaf.
 ///
-/// Asked before the loop over leaves too: so most turns, which go straight to an inner node, never begin that loop.
+/// It is also called before the loop over leaves: so most iterations, which go directly to an inner node, never start
+/// that loop.
 #[inline(always)]
 fn arrive<const A: usize, C: Cursor<A>>(
     cursor: &mut C,

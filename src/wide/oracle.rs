@@ -1,4 +1,4 @@
-//! The reference: recursion, as short as it can be.
+//! The reference: a minimal recursion.
 
 use alloc::vec::Vec;
 
@@ -9,13 +9,13 @@ use crate::event::Recorder;
 use crate::order::Flow;
 use crate::tree::Node;
 
-/// Deepest tree, in levels, that the recursion is used for. Deeper ones are compared with the explicit
-/// [`Stack`](super::Stack), which is itself compared with this function.
+/// Deepest tree, in levels, for the recursion. Deeper trees are compared with the explicit [`Stack`](super::Stack),
+/// which is itself compared with this function.
 pub const LEVEL_LIMIT: u32 = 1000;
 
 /// Visits the root, then, at each inner node, the wanted children in the wanted order. `[WIDE-5]` `[WIDE-6]`
 ///
-/// The tree must have at most [`LEVEL_LIMIT`] levels; below that nothing is visited.
+/// The tree must have at most [`LEVEL_LIMIT`] levels; nodes below them are not visited.
 pub fn traverse<const A: usize, T: Topology<A>, S: Search<A>>(
     tree: &T,
     search: &mut S,

@@ -1,4 +1,4 @@
-//! The traversal without a stack: a pending set for each level.
+//! The stackless traversal: a pending set for each level.
 
 use super::links::Link;
 use super::pending_store::{PendingStore, StateView};
@@ -8,25 +8,25 @@ use super::{Cursor, Next};
 use crate::key::TooDeep;
 use crate::tree::Node;
 
-/// A node, its pending children, what is [`PendingStore`] of the levels above, and a [`Link`] to the ancestors.
+/// A node, its pending children, the [`PendingStore`] of the levels above, and a [`Link`] to the ancestors.
 /// `[WTRAIL-1]` `[WRECORD-1]` `[WHASHED-1]`
 #[derive(Debug)]
 pub struct Pending<K, L> {
     node: Node,
-    /// The pending children of the present node; all, before the search was asked about it.
+    /// The pending children of the current node; all children, before the first query.
     set: u32,
-    /// The two pending children that come next, the first one first, where they are known.
+    /// The next two pending children, in order, if they are known.
     ///
-    /// The least rank of a node is never kept here, so no rank here is 0.
+    /// The least rank of a node is never stored here, so no rank here is 0.
     nexts: [RankedChild; 2],
-    /// Of the child that was named last.
+    /// The slot of the last returned child.
     slot: u32,
     kept: K,
     link: L,
 }
 
 impl<K, L> Pending<K, L> {
-    /// Starts at the root, with nothing kept.
+    /// Starts at the root, with nothing stored.
     ///
     /// # Errors
     /// [`TooDeep`] if the tree has more levels than `kept` carries.
@@ -42,12 +42,12 @@ impl<K, L> Pending<K, L> {
         Ok(cursor)
     }
 
-    /// What is kept of the levels above.
+    /// Returns the stored state of the levels above.
     pub const fn kept(&self) -> &K {
         &self.kept
     }
 
-    /// Names the pending child of the least rank, of which there is one; keeps the two after it.
+    /// Returns the pending child of the least rank, which must exist; stores the next two.
     #[inline(always)]
     fn first<const A: usize>(&mut self, tree: &impl Topology<A>, ranks: impl Ranks<A>) -> Node {
         let (node, slot) = (self.node, self.set.trailing_zeros());
@@ -55,7 +55,7 @@ impl<K, L> Pending<K, L> {
         if others == 0 {
             return self.take(slot, tree.child(node, slot));
         }
-        // Once: each time they would be stored.
+        // Computed once: each call would store them.
         let ranks = ranks.all();
         let first = RankedChild::of(tree, node, ranks, slot);
         let second = RankedChild::of(tree, node, ranks, others.trailing_zeros());
@@ -80,20 +80,20 @@ impl<K, L> Pending<K, L> {
         self.take_ranked::<A>(first)
     }
 
-    /// Names a pending child whose rank is known.
+    /// Returns a pending child whose rank is known.
     #[inline(always)]
     const fn take_ranked<const A: usize>(&mut self, ranked: RankedChild) -> Node {
         self.take(ranked.rank() & (A as u32 - 1), ranked.child())
     }
 
-    /// Names the pending child in the lowest slot, of which there is one.
+    /// Returns the pending child in the lowest slot, which must exist.
     #[inline(always)]
     fn lowest<const A: usize>(&mut self, tree: &impl Topology<A>) -> Node {
         let slot = self.set.trailing_zeros() & (A as u32 - 1);
         self.take(slot, tree.child(self.node, slot))
     }
 
-    /// Names the child in a slot.
+    /// Returns the child in a slot.
     #[inline(always)]
     const fn take(&mut self, slot: u32, child: Node) -> Node {
         self.slot = slot;
@@ -125,13 +125,13 @@ where
         T: Topology<A>,
         S: Search<A>,
     {
-        // Only a search that is sorted is asked again.
+        // Only a sorted search receives repeated queries.
         self.set = if S::SORTED { self.set & wanted.set } else { wanted.set };
         self.nexts = [RankedChild::NONE; 2];
         if self.set == 0 {
             return self.next(tree, search);
         }
-        // Not by `next`, which may have gone back: the node's record is at hand here.
+        // Without `next`, which may have climbed: the node's record is available here.
         Next::Child(if S::SORTED { self.first(tree, wanted.ranks) } else { self.lowest(tree) })
     }
 
@@ -142,7 +142,7 @@ where
                 let Some(level) = self.kept.pop(search.end()) else { return Next::End };
                 self.node = self.link.ancestor(tree, self.node, level.up);
                 self.set = level.pending;
-                // Of others none is known, always: so no register holds them.
+                // Unsorted searches never know the next children: so no register holds them.
                 if S::SORTED {
                     self.nexts = level.nexts;
                 }
@@ -156,7 +156,7 @@ where
                     self.nexts = [after, RankedChild::NONE];
                     return Next::Child(self.take_ranked::<A>(next));
                 }
-                // And so are those that come after it.
+                // So are the children after it.
                 self.set = 0;
             } else if self.set.is_power_of_two() && !self.kept.is_stale() {
                 return Next::Child(self.lowest(tree));

@@ -1,4 +1,4 @@
-//! What is kept of the levels above a node.
+//! The stored state of the levels above a node.
 
 use core::fmt::Debug;
 use core::ops::{Add, Shl, Shr};
@@ -7,76 +7,76 @@ use super::keys::slot_bits;
 use super::search::{RankedChild, is_beyond};
 use crate::key::{KeyWord, TooDeep, Word};
 
-/// A level to go back to.
+/// A level to return to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PendingLevel {
-    /// How many levels up its node is.
+    /// The number of levels up to its node.
     pub up: u32,
     /// The pending children of that node. Not empty.
     pub pending: u32,
-    /// The two of them that come next, the first one first, where they are known.
+    /// The next two of them, in order, if they are known.
     pub nexts: [RankedChild; 2],
 }
 
-/// What a traversal keeps of a node on its path. `[WIDE-20]`
+/// The stored state of a node on the path. `[WIDE-20]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StateView {
     /// A group of the trail. `[WIDE-18]`
     Trail {
         /// The pending children.
         pending: u32,
-        /// The dirty bit: the end has become less since the search was asked about the node.
+        /// The dirty bit: the end has decreased since the query of the node.
         is_dirty: bool,
     },
     /// A set with ranks. `[WIDE-17]`
     Ranked {
         /// The pending children.
         pending: u32,
-        /// The bit of the summary. The present node has none.
+        /// The bit of the summary. The current node has none.
         is_open: Option<bool>,
-        /// The ranks of the two that come next, the first one first; 0 where it is not known.
+        /// The ranks of the next two, in order; 0 if unknown.
         ranks: [u32; 2],
     },
     /// A number of the restart trail. `[WRESTART-1]`
     Number {
-        /// Of the child that was named last, in the order of ranks.
+        /// The number of the last returned child, in the order of ranks.
         number: u32,
         /// Whether no other child comes after it.
         is_last: bool,
     },
 }
 
-/// The pending children of all nodes above the present one.
+/// The pending children of all nodes above the current one.
 pub trait PendingStore<const A: usize>: Debug {
-    /// Most levels of inner nodes below the root.
+    /// Greatest number of levels of inner nodes below the root.
     const LEVELS: u32;
 
-    /// What it is, in errors.
+    /// Its name in errors.
     const NAME: &'static str;
 
-    /// At the root, with nothing pending.
+    /// Resets to the root, with nothing pending.
     fn clear(&mut self);
 
-    /// The present node is left for a child. Of the pending ones, `nexts` come next.
+    /// Stores the current node before a descent to a child. `nexts` are the next pending children.
     fn push(&mut self, pending: u32, nexts: [RankedChild; 2]);
 
-    /// Back to the deepest level that has pending children and is not known to be beyond the end, which becomes the
-    /// present one. `None` if there is none.
+    /// Returns to the deepest level that has pending children and is not known to be beyond the end; it becomes the
+    /// current level. `None` if there is none.
     fn pop(&mut self, end: u32) -> Option<PendingLevel>;
 
-    /// The end of the search has become less.
+    /// Called when the end of the search has decreased.
     fn shortened(&mut self) {}
 
-    /// The search has been asked again about the present node.
+    /// Called after a repeated query of the current node.
     fn asked(&mut self) {}
 
-    /// Whether the search must be asked again about the present node before its last pending child is visited.
+    /// Returns whether the current node must be queried again before its last pending child is visited.
     fn is_stale(&self) -> bool {
         true
     }
 
-    /// What is kept of the node so many levels above the present one. Of the present one itself, 0 levels above, set and
-    /// ranks are the cursor's.
+    /// Returns the stored state of the node `up` levels above the current one. For the current node itself, 0 levels
+    /// above, set and ranks are the cursor's.
     fn words(&self, _up: u32, _pending: u32, _nexts: [RankedChild; 2]) -> Option<StateView> {
         None
     }
@@ -134,7 +134,7 @@ impl<const A: usize, K: PendingStore<A>> PendingStore<A> for &mut K {
 
 /// A word for a trail of pending sets.
 pub trait TrailWord: KeyWord + Copy + From<u32> {
-    /// What it is, in errors.
+    /// Its name in errors.
     const TRAIL: &'static str;
 }
 
@@ -148,29 +148,29 @@ impl TrailWord for u128 {
     const TRAIL: &'static str = "a trail of 128 bits";
 }
 
-/// A trail of A bits a level, and one bit a level for what has changed. `[WIDE-10]` `[WIDE-18]`
+/// A trail of A bits per level, and one bit per level for a changed end. `[WIDE-10]` `[WIDE-18]`
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Trail<W> {
     trail: W,
-    /// Bit `i`: the end has become less since the search was asked about the node `i` levels up. A node farther up has no
-    /// bit and counts as if it were set: 128 bits carry 64 levels of two children.
+    /// Bit `i`: the end has decreased since the query of the node `i` levels up. A node farther up has no bit and
+    /// counts as if it were set: 128 bits carry 64 levels of two children.
     stale: u64,
 }
 
 impl<W: TrailWord> Trail<W> {
-    /// The trail. `[WIDE-10]`
+    /// Returns the trail. `[WIDE-10]`
     pub const fn trail(&self) -> W {
         self.trail
     }
 
-    /// The bits as seen so many levels up.
+    /// Returns the bits relative to the node this many levels up.
     #[inline(always)]
     fn stale_above(&self, up: u32) -> u64 {
         !(!self.stale).checked_shr(up).unwrap_or(0)
     }
 }
 
-/// Trail of a child of a node whose other pending children are these. `[WIDE-10]`
+/// Returns the trail of a child of a node with these other pending children. `[WIDE-10]`
 #[inline(always)]
 #[must_use]
 pub fn leave<const A: usize, W: Word>(mut trail: W, pending: &W) -> W {
@@ -180,7 +180,7 @@ pub fn leave<const A: usize, W: Word>(mut trail: W, pending: &W) -> W {
     trail.or(pending)
 }
 
-/// Levels up, pending set, and trail of the deepest ancestor with pending children, of a trail that is not 0.
+/// Returns levels up, pending set, and trail of the deepest ancestor with pending children, for a trail that is not 0.
 /// `[WIDE-11]`
 ///
 /// ```
@@ -198,7 +198,7 @@ where
     let skipped = trail.trailing_zeros() >> slot_bits::<A>();
     let low = trail.shr(skipped.clone() << slot_bits::<A>());
     let (mut group, mut rest) = (W::one(), low.clone());
-    // One by one: together they may be all bits of the word.
+    // One by one: the shift may be the full width of the word.
     for _ in 0..A {
         (group, rest) = (group.shl1(), rest.shr1());
     }
@@ -261,11 +261,11 @@ impl<const A: usize, W: TrailWord> PendingStore<A> for Trail<W> {
     }
 }
 
-/// For each level a set and the two children that come next, and a word in which bit `i` says that the set of level `i`
-/// is not empty. `[WIDE-17]`
+/// For each level a set and the next two children, and a word whose bit `i` is set if the set of level `i` is not
+/// empty. `[WIDE-17]`
 ///
-/// Beside a rank is the child's address. The record of the ancestor has it too, but that record would have to be found
-/// first, and what comes next would wait for it.
+/// Each rank is stored with the child's address. The record of the ancestor also has the address, but that record would
+/// have to be found first, and the next visit would wait for it.
 #[derive(Clone, Debug)]
 pub struct Ranked {
     level: u32,
@@ -284,7 +284,7 @@ impl Default for Ranked {
 }
 
 impl Ranked {
-    /// Bytes for a tree of so many levels.
+    /// Returns the bytes for a tree with this number of levels.
     pub const fn bytes(levels: usize) -> usize {
         levels * (size_of::<u8>() + size_of::<[RankedChild; 2]>()) + 2 * size_of::<u32>()
     }

@@ -8,38 +8,38 @@ use super::{Cursor, Next};
 use crate::key::TooDeep;
 use crate::tree::Node;
 
-/// Keeps for each level the number of the child that was named last, and the last postponed children, 8 at most. What
-/// this short stack has lost is found by starting again at the root. `[WRESTART-1]`
+/// Stores for each level the number of the last returned child, and the last postponed children, at most 8. A child
+/// that this short stack has lost is found by a restart at the root. `[WRESTART-1]`
 #[derive(Debug)]
 pub struct Restart {
     node: Node,
-    /// Level of `node`, while the search goes down again from the root.
+    /// Level of `node`, while the search descends again from the root.
     at: u32,
     /// The deepest level on the path.
     level: u32,
-    /// For each level on the path the number of the child that was named last, in the order of ranks; the present
-    /// level's is lowest. The highest bit says that no other child comes after it.
+    /// For each level on the path the number of the last returned child, in the order of ranks; the current level's is
+    /// lowest. The highest bit means that no other child comes after it.
     done: u128,
     step: Step,
     stack: Short,
 }
 
-/// How `node` was reached.
+/// The step that reached `node`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Step {
-    /// For the first time.
+    /// A first descent.
     Down,
-    /// By starting again: the root.
+    /// A restart: the root.
     Again,
-    /// Below the root, by going down again.
+    /// A repeated descent, below the root.
     Along,
 }
 
 impl Restart {
-    /// Starts at the root, with a short stack of so many entries, 8 at most.
+    /// Starts at the root, with a short stack of this many entries, at most 8.
     ///
     /// # Errors
-    /// [`TooDeep`] if the tree has more levels than 128 bits have numbers for.
+    /// [`TooDeep`] if the tree has more levels than numbers fit in 128 bits.
     pub fn new<const A: usize>(tree: &impl Topology<A>, short: usize) -> Result<Self, TooDeep> {
         let (levels, limit) = (tree.levels(), u128::BITS / number_bits::<A>() - 1);
         if levels > limit {
@@ -49,12 +49,12 @@ impl Restart {
         Ok(Self { node: tree.root(), at: 0, level: 0, done: 0, step: Step::Down, stack })
     }
 
-    /// The number of the child that was named last, so many levels above the present one.
+    /// Returns the number of the last returned child, `up` levels above the current one.
     const fn number<const A: usize>(&self, up: u32) -> usize {
         (self.done >> (up * number_bits::<A>())) as usize & (A - 1)
     }
 
-    /// Names the child with this number among the wanted ones, and postpones those after it.
+    /// Returns the child with this number among the wanted ones, and postpones those after it.
     fn take<const A: usize, S: Search<A>>(
         &mut self,
         tree: &impl Topology<A>,
@@ -79,18 +79,18 @@ impl Restart {
         }
     }
 
-    /// No other child of the present level comes.
+    /// Marks that no other child of the current level comes.
     const fn finish<const A: usize>(&mut self) {
         self.done |= A as u128;
     }
 
-    /// Goes up to this level.
+    /// Climbs to this level.
     const fn up_to<const A: usize>(&mut self, level: u32) {
         self.done >>= (self.level - level) * number_bits::<A>();
         self.level = level;
     }
 
-    /// The next child of the deepest level that has one: from the short stack, or the root, to start again.
+    /// Returns the next child of the deepest level that has one: from the short stack, or the root, for a restart.
     fn back<const A: usize, S: Search<A>>(&mut self, tree: &impl Topology<A>, search: &S) -> Option<Node> {
         self.step = Step::Down;
         loop {
@@ -103,7 +103,7 @@ impl Restart {
                 return Some(tree.root());
             };
             if entry.level > self.level {
-                // Of a level that is finished: it was beyond.
+                // The entry of a finished level: it was beyond.
             } else if S::SORTED && is_beyond::<A>(entry.rank, search.end()) {
                 self.finish::<A>();
             } else {
@@ -114,7 +114,7 @@ impl Restart {
     }
 }
 
-/// Bits of a number, and one that says that it is the last one.
+/// Returns the bits of a number, and of the mark of the last child.
 const fn number_bits<const A: usize>() -> u32 {
     slot_bits::<A>() + 1
 }
@@ -143,7 +143,7 @@ impl<const A: usize> Cursor<A> for Restart {
                 self.step = Step::Along;
                 return Next::Child(tree.child(self.node, sorted.ranks[number] & (A as u32 - 1)));
             }
-            // The child on the path is beyond by now, and with it all that is below it or comes after it.
+            // The child on the path is now beyond, with all nodes below it and after it.
             self.up_to::<A>(self.at);
             self.finish::<A>();
             return self.next(tree, search);
@@ -184,7 +184,7 @@ impl<const A: usize> Cursor<A> for Restart {
     }
 }
 
-/// The wanted children in the order in which they come.
+/// The wanted children in their order.
 struct Sorted<const A: usize> {
     ranks: [u32; A],
     count: usize,
@@ -207,11 +207,11 @@ impl<const A: usize> Sorted<A> {
 /// A postponed child.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
-    /// Of its parent.
+    /// The level of its parent.
     level: u32,
     rank: u32,
     node: Node,
-    /// Whether none of its siblings comes after it.
+    /// Whether it is the last of its siblings.
     is_last: bool,
 }
 
@@ -223,9 +223,9 @@ impl Entry {
 #[derive(Debug)]
 struct Short {
     entries: [Entry; Short::MOST],
-    /// How many there is room for.
+    /// Capacity.
     size: usize,
-    /// Where the next entry goes.
+    /// The place of the next entry.
     top: usize,
     count: usize,
 }

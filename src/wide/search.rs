@@ -1,4 +1,4 @@
-//! What a search answers.
+//! The interface of searches.
 
 use super::tree::Topology;
 use crate::order::Flow;
@@ -7,7 +7,7 @@ use crate::tree::Node;
 /// The children that a search wants of a node. `[WIDE-2]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wanted<R> {
-    /// Bit `s` is set if the child in slot `s` is wanted. Empty slots are not.
+    /// Bit `s` is set if the child in slot `s` is wanted. Empty slots are not wanted.
     pub set: u32,
     /// The rank of each child in the set.
     pub ranks: R,
@@ -15,12 +15,12 @@ pub struct Wanted<R> {
 
 /// The ranks of a node's children. `[WIDE-2]`
 ///
-/// The lowest bits of a rank (3 for 8 children) are the slot, so that no two are equal.
+/// The lowest bits of a rank (3 for 8 children) are the slot, so no two ranks are equal.
 pub trait Ranks<const A: usize>: Copy {
-    /// The ranks by slot. Those of slots that are not in the set mean nothing.
+    /// Returns the ranks by slot. Those of slots that are not in the set are meaningless.
     fn all(self) -> [u32; A];
 
-    /// The rank of the child in a slot of the set.
+    /// Returns the rank of the child in a slot of the set.
     #[inline(always)]
     fn rank(self, slot: u32) -> u32 {
         self.all()[slot as usize & (A - 1)]
@@ -34,7 +34,7 @@ impl<const A: usize> Ranks<A> for [u32; A] {
     }
 }
 
-/// What is looked for: it says which children are wanted and in which order. `[WIDE-2]` `[WIDE-3]`
+/// A search: it decides on the wanted children and their order. `[WIDE-2]` `[WIDE-3]`
 pub trait Search<const A: usize> {
     /// Whether children are visited in the order of their ranks. If not, leaves come first, then inner nodes, each by
     /// slot; and nothing is skipped. `[WIDE-6]`
@@ -43,48 +43,49 @@ pub trait Search<const A: usize> {
     /// The ranks of a node's children.
     type Ranks: Ranks<A>;
 
-    /// Which children are wanted: none that is [beyond](is_beyond) the [end](Self::end). A traversal may ask again about
-    /// a node. Then the ranks must be the same as before, and the set must be the same but for children that are beyond
-    /// by now; or empty, if it is so for all nodes below as well from then on. `[WIDE-4]`
+    /// Returns the wanted children: none that is [beyond](is_beyond) the [end](Self::end). A traversal may query a node
+    /// again. Then the ranks must not change. The set must be the same without children that are beyond at that time;
+    /// or it may be empty, if the sets of all nodes below are also empty from then on. `[WIDE-4]`
     fn ask(&mut self, node: Node) -> Wanted<Self::Ranks>;
 
     /// Visits a leaf.
     fn leaf(&mut self, leaf: Node) -> Flow;
 
-    /// Children of a greater rank are not visited any more. It may become less at a leaf, and never grows. `[WIDE-3]`
+    /// Returns the end: children of a greater rank are not visited. It may decrease at a leaf, and never grows.
+    /// `[WIDE-3]`
     fn end(&self) -> u32;
 }
 
-/// A child that is visited later, with its rank: in one word, in which ranks decide what is less. `[WIDE-17]`
+/// A postponed child with its rank, in one word that is ordered by rank. `[WIDE-17]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RankedChild(u64);
 
 impl RankedChild {
-    /// Not known. It is no child of a tree: it would be the root.
+    /// Unknown. The value is no child of a tree: it would be the root.
     pub const NONE: Self = Self(0);
 
-    /// A child and its rank.
+    /// Combines a child and its rank.
     #[inline(always)]
     #[must_use]
     pub const fn new(rank: u32, child: Node) -> Self {
         Self((rank as u64) << 32 | child.to_bits() as u64)
     }
 
-    /// The child in a slot of a node.
+    /// Returns the child in a slot of a node.
     #[inline(always)]
     #[must_use]
     pub fn of<const A: usize>(tree: &impl Topology<A>, node: Node, ranks: impl Ranks<A>, slot: u32) -> Self {
         Self::new(ranks.rank(slot), tree.child(node, slot))
     }
 
-    /// The rank.
+    /// Returns the rank.
     #[inline(always)]
     #[must_use]
     pub const fn rank(self) -> u32 {
         (self.0 >> 32) as u32
     }
 
-    /// The child.
+    /// Returns the child.
     #[inline(always)]
     #[must_use]
     pub const fn child(self) -> Node {
@@ -92,7 +93,7 @@ impl RankedChild {
     }
 }
 
-/// Whether a child of this rank is skipped, where nodes have `A` slots. `[WIDE-3]`
+/// Returns whether a child of this rank is skipped, in nodes with `A` slots. `[WIDE-3]`
 #[inline(always)]
 pub const fn is_beyond<const A: usize>(rank: u32, end: u32) -> bool {
     rank & !(A as u32 - 1) > end

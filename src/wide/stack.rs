@@ -1,4 +1,4 @@
-//! The textbook: postponed children on a stack, each with its rank.
+//! The textbook traversal: postponed children on a stack, each with its rank.
 
 use alloc::vec::Vec;
 
@@ -10,13 +10,13 @@ use crate::tree::Node;
 /// Memory of a [`Stack`].
 pub type Memory = Vec<RankedChild>;
 
-/// Pushes the wanted children but the first, the greatest rank first. What is beyond the end when it is popped is
-/// dropped. `[WSTACK-1]`
+/// Pushes all wanted children except the first, the greatest rank first. A child that is beyond the end when it is
+/// popped is dropped. `[WSTACK-1]`
 #[derive(Debug)]
 pub struct Stack<'m> {
     node: Node,
     memory: &'m mut [RankedChild],
-    /// Number of entries. What is above it in the memory is old.
+    /// Number of entries. Memory above it holds old entries.
     height: usize,
 }
 
@@ -33,21 +33,21 @@ impl<'m> Stack<'m> {
 
     #[inline(always)]
     fn push(&mut self, entry: RankedChild) {
-        // There is room for all; a check that fails would show a tree whose number of levels is wrong.
+        // There is room for all entries; a failed check means that the tree's number of levels is wrong.
         if let Some(place) = self.memory.get_mut(self.height) {
             *place = entry;
             self.height += 1;
         }
     }
 
-    /// Pushes all children of a set but the first, which it returns.
+    /// Pushes all children of a set except the first, which it returns.
     #[inline(always)]
     fn sort<const A: usize>(&mut self, tree: &impl Topology<A>, Wanted { set, ranks }: Wanted<impl Ranks<A>>) -> Node {
         let (slot, others) = (set.trailing_zeros(), set & (set - 1));
         if others == 0 {
             return tree.child(self.node, slot);
         }
-        // Once: each time they would be stored.
+        // Computed once: each call would store them.
         let ranks = ranks.all();
         let first = RankedChild::of(tree, self.node, ranks, slot);
         let second = RankedChild::of(tree, self.node, ranks, others.trailing_zeros());
@@ -78,7 +78,7 @@ impl<'m> Stack<'m> {
         self.memory.get(self.height).map_or(self.node, |entry| entry.child())
     }
 
-    /// Moves the last entry down to its place above `base`, where ranks become less upwards.
+    /// Moves the last entry down to its place above `base`, where ranks decrease upwards.
     #[inline(always)]
     fn settle(&mut self, base: usize) {
         let Some(entries) = self.memory.get_mut(base..self.height) else { return };

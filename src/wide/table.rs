@@ -31,28 +31,28 @@ macro_rules! traversals {
             /// All traversals, in the order of the tables.
             pub const ALL: [Self; [$(Self::$variant),*].len()] = [$(Self::$variant),*];
 
-            /// The name.
+            /// Returns the name.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name,)* }
             }
 
-            /// Who published it.
+            /// Returns the publication.
             pub const fn by(self) -> &'static str {
                 match self { $(Self::$variant => $by,)* }
             }
 
-            /// The clause that says what it does.
+            /// Returns the clause that defines it.
             pub const fn clause(self) -> &'static str {
                 match self { $(Self::$variant => $clause,)* }
             }
 
-            /// What it does, in a sentence or two.
+            /// Returns a description in one or two sentences.
             pub const fn help(self) -> &'static str {
                 match self { $(Self::$variant => $help,)* }
             }
 
-            /// Bytes of its state for one ray, in a tree of `A` children a node and so many levels: 4 for each
-            /// variable, 8 for a child with its rank. `[WIDE-20]`
+            /// Returns the bytes of its state for one ray, in a tree of `A` children per node and this number of
+            /// levels: 4 for each variable, 8 for a child with its rank. `[WIDE-20]`
             pub const fn state_bytes<const A: usize>(self, levels: usize) -> usize {
                 match self { $(Self::$variant => { let ($a, $levels) = (A, levels); $state })* }
             }
@@ -109,7 +109,7 @@ traversals! {
     }
 }
 
-/// The fastest that needs no memory but its state.
+/// The fastest traversal that needs no memory except its state.
 impl Default for Method {
     fn default() -> Self {
         Self::Recorded
@@ -117,17 +117,18 @@ impl Default for Method {
 }
 
 impl Method {
-    /// Whether it asks for the [hash](Tables::hash).
+    /// Returns whether it needs the [hash](Tables::hash).
     pub const fn needs_hash(self) -> bool {
         matches!(self, Self::Hashed)
     }
 
-    /// Whether it starts again at the root, and so needs ranks that do not become less on the way down. `[WRESTART-1]`
+    /// Returns whether it starts again at the root, and so needs ranks that do not decrease on the way down.
+    /// `[WRESTART-1]`
     pub const fn restarts(self) -> bool {
         matches!(self, Self::Restart0 | Self::Restart1 | Self::Restart2 | Self::Restart4 | Self::Restart8)
     }
 
-    /// Entries of the short stack of a traversal that restarts.
+    /// Returns the number of entries of the short stack of a traversal that restarts.
     const fn short_stack(self) -> usize {
         match self {
             Self::Restart1 => 1,
@@ -138,7 +139,7 @@ impl Method {
         }
     }
 
-    /// Does something with this traversal: the one place where a name becomes a cursor.
+    /// Calls a function with this traversal: the only conversion from a name to a cursor.
     ///
     /// # Errors
     /// [`Unsupported`], before the first step.
@@ -162,7 +163,7 @@ impl Method {
         }
     }
 
-    /// [`dispatch`](Self::dispatch) of [`Recorded`](Self::Recorded), without copies for the others.
+    /// Calls [`dispatch`](Self::dispatch) for [`Recorded`](Self::Recorded), without copies for other traversals.
     #[inline(always)]
     pub(crate) fn recorded<'t, const A: usize, T: Topology<A> + 't, X: Context<'t, A, T>>(
         context: X,
@@ -170,7 +171,7 @@ impl Method {
         context.run(|from| Ok(Pending::new(from.tree, &mut from.memory.ranked, Recorded)?))
     }
 
-    /// Runs a search to its end, with memory of its own.
+    /// Runs a search to its end, with new memory.
     ///
     /// # Errors
     /// [`Unsupported`], before the first step.
@@ -184,7 +185,7 @@ impl Method {
         self.run_in(Supply { tree, tables, memory: &mut Scratch::default() }, search, recorder)
     }
 
-    /// [`run`](Self::run) with memory that is kept from one search to the next.
+    /// Runs a search as [`run`](Self::run) does, with memory that is reused between searches.
     ///
     /// # Errors
     /// [`Unsupported`], before the first step.
@@ -198,25 +199,25 @@ impl Method {
     }
 }
 
-/// What a cursor is made from.
+/// The source of a cursor.
 #[derive(Debug)]
 pub struct Supply<'t, T> {
     /// The tree.
     pub tree: &'t T,
-    /// What was made for it.
+    /// The tables of the tree.
     pub tables: &'t Tables,
     /// Memory of the cursor.
     pub memory: &'t mut Scratch,
 }
 
-/// Something to do with a traversal that is chosen when the program runs: [`Method::dispatch`].
+/// A generic function of a traversal that is selected at run time: [`Method::dispatch`].
 ///
-/// It gets what makes the cursor, so that it can make several.
+/// It receives the constructor of the cursor, so it can make several.
 pub trait Context<'t, const A: usize, T: 't> {
-    /// What comes out.
+    /// The result.
     type Output;
 
-    /// Does it.
+    /// Calls the function.
     ///
     /// # Errors
     /// Those of `start`.
@@ -243,17 +244,17 @@ impl<'t, const A: usize, T: Topology<A>, S: Search<A>, R: Recorder> Context<'t, 
     }
 }
 
-/// What traversals need beside a tree.
+/// Tables of traversals, in addition to a tree.
 #[derive(Clone, Debug)]
 pub struct Tables {
     hash: Result<PerfectHash, Unsupported>,
 }
 
 impl Tables {
-    /// Nothing: [`Method::Hashed`] is unfit.
+    /// No tables: [`Method::Hashed`] is unsupported.
     pub const NONE: Self = Self { hash: Err(Unsupported::NoTable) };
 
-    /// The tables of a tree.
+    /// Builds the tables of a tree.
     pub fn new<const A: usize>(tree: &impl Topology<A>) -> Self {
         let limit = (u64::BITS - 1) / A.trailing_zeros();
         let levels = tree.levels();
@@ -263,34 +264,34 @@ impl Tables {
         Self { hash: PerfectHash::of_keys(&asked_keys(tree)).map_err(Unsupported::NoHash) }
     }
 
-    /// What one traversal needs of them.
+    /// Builds the tables that one traversal needs.
     pub fn of<const A: usize>(method: Method, tree: &impl Topology<A>) -> Self {
         if method.needs_hash() { Self::new(tree) } else { Self::NONE }
     }
 
-    /// The perfect hash of the keys that can be asked for. `[WIDE-16]`
+    /// Returns the perfect hash of the keys that a traversal can look up. `[WIDE-16]`
     ///
     /// # Errors
-    /// Why there is none.
+    /// [`Unsupported`] if there is none.
     #[inline(always)]
     pub fn hash(&self) -> Result<&PerfectHash, Unsupported> {
         self.hash.as_ref().map_err(|unfit| *unfit)
     }
 
-    /// Bytes of the tables.
+    /// Returns the bytes of the tables.
     pub fn bytes(&self) -> usize {
         self.hash.as_ref().map_or(0, |hash| hash.header().bytes())
     }
 }
 
-/// Why a traversal does not fit a tree.
+/// The reason why a traversal does not support a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unsupported {
     /// The tree has too many levels.
     TooDeep(TooDeep),
-    /// The table of keys was not made.
+    /// The table of keys is missing.
     NoTable,
-    /// There is no perfect hash.
+    /// The perfect hash cannot be built.
     NoHash(BuildError),
 }
 
@@ -314,7 +315,7 @@ impl core::fmt::Display for Unsupported {
 
 impl core::error::Error for Unsupported {}
 
-/// Memory that traversals use one after the other.
+/// Memory that traversals reuse one after the other.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
     stack: Memory,

@@ -1,4 +1,4 @@
-//! Topology of a wide tree, and one in an array.
+//! The topology of a wide tree, and an implementation in an array.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -7,30 +7,30 @@ use core::fmt;
 use super::keys::slot_bits;
 use crate::tree::{self, Node};
 
-/// A wide tree: an inner node has `A` slots, each with a child or empty, and every node but the root is the child of
+/// A wide tree: an inner node has `A` slots, each with a child or empty, and every node except the root is the child of
 /// one node. The root is an inner node. `[WIDE-1]`
 ///
-/// Methods that take a node require an inner one of this tree; they may panic for others.
+/// Methods with a node argument require an inner node of this tree; they may panic for other nodes.
 pub trait Topology<const A: usize> {
-    /// The node with key 1.
+    /// Returns the node with key 1.
     fn root(&self) -> Node;
 
-    /// The set of slots that hold a child.
+    /// Returns the set of slots that hold a child.
     fn children(&self, node: Node) -> u32;
 
-    /// The set of slots that hold a leaf.
+    /// Returns the set of slots that hold a leaf.
     fn leaves(&self, node: Node) -> u32;
 
-    /// The child in a slot that holds one.
+    /// Returns the child in a slot that holds one.
     fn child(&self, node: Node, slot: u32) -> Node;
 
-    /// The greatest level of an inner node: edges from the root.
+    /// Returns the greatest level of an inner node: edges from the root.
     fn levels(&self) -> u32;
 
-    /// The ancestor so many levels up, 1 to `A`, which the node's record names. The root stands for those above it.
+    /// Returns the ancestor `up` levels up, 1 to `A`, from the node's record. Beyond the root it is the root.
     fn ancestor(&self, node: Node, up: u32) -> Node;
 
-    /// The parent; the root is its own.
+    /// Returns the parent; the root is its own parent.
     #[inline(always)]
     fn parent(&self, node: Node) -> Node {
         self.ancestor(node, 1)
@@ -41,7 +41,7 @@ pub trait Topology<const A: usize> {
 ///
 /// ```
 /// use stackless_bvh::wide::{Topology, Tree};
-/// // Node 0 has three children, of which node 2 has two.
+/// // Node 0 has the children 1, 2 and 3. Node 2 has the children 4 and 5.
 /// let tree = Tree::<4>::new(&[Some(&[1, 2, 3]), None, Some(&[4, 5]), None, None, None])?;
 /// assert_eq!((tree.levels(), tree.children(tree.root()), tree.leaves(tree.root())), (1, 0b111, 0b101));
 /// # Ok::<(), stackless_bvh::wide::TreeError>(())
@@ -58,11 +58,11 @@ struct Record<const A: usize> {
     children: [Node; A],
     count: u32,
     leaves: u32,
-    /// The nearest first; the root where there is none.
+    /// The nearest first; the root if there is none.
     ancestors: [Node; A],
 }
 
-/// Why an array of children is not a wide tree.
+/// Errors of [`Tree::new`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TreeError {
     /// There is no root, or it is a leaf.
@@ -113,7 +113,7 @@ impl<const A: usize> Tree<A> {
     /// Linear in time and memory, without recursion.
     ///
     /// # Errors
-    /// [`TreeError`] names the node at which the array is not a tree.
+    /// [`TreeError`] with the node at which the array is not a tree.
     pub fn new(children: &[Option<&[u32]>]) -> Result<Self, TreeError> {
         const { assert!(slot_bits::<A>() > 0) };
         if !matches!(children.first(), Some(Some(_))) {
@@ -148,12 +148,12 @@ impl<const A: usize> Tree<A> {
         Ok(Self { nodes, levels })
     }
 
-    /// Number of inner nodes and leaves together.
+    /// Returns the number of inner nodes and leaves together.
     pub const fn node_count(&self) -> usize {
         self.nodes.len()
     }
 
-    /// The nodes, by number.
+    /// Returns the nodes, by number.
     pub fn nodes(&self) -> impl Iterator<Item = Node> + '_ {
         let address = |(i, record): (usize, &Record<A>)| {
             if i > 0 && record.count == 0 { Node::leaf(i as u32) } else { Node::inner(i as u32) }

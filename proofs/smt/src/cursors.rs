@@ -41,8 +41,8 @@ pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
         lemma("Alg. 4: descend", "[SPARSE-1] [TRAIL-6] [DISJOINT-1]", N, sparse_descends::<N>, down)?,
         lemma("Alg. 4: end", "[SPARSE-1] [TRAIL-6]", N, sparse_ends::<N>, all_ones)?,
         lemma("Alg. 4: backtrack", "[SPARSE-1] [TRAIL-6]", N, sparse_backtracks::<N>, shift)?,
-        lemma("what is pruned of a trail", "[DISJOINT-2]", N, prunes::<N>, kept)?,
-        lemma("what is pruned of a counter", "[DISJOINT-2]", N, prunes_counter::<N>, counted)?,
+        lemma("pruned part of a trail", "[DISJOINT-2]", N, prunes::<N>, kept)?,
+        lemma("pruned part of a counter", "[DISJOINT-2]", N, prunes_counter::<N>, counted)?,
     ])
 }
 

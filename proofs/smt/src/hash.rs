@@ -32,7 +32,7 @@ pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
     Ok(vec![
         lemma("bucket = k mod D", "[HASH-1]", 64, bucket_of_key, bucket)?,
         lemma("cell = (k mod H + d) mod H", "[HASH-1]", 32, cell, cell_slip)?,
-        lemma("addresses come back", "[HASH-5]", 32, addresses, leaf)?,
+        lemma("addresses survive a round trip", "[HASH-5]", 32, addresses, leaf)?,
         lemma("mix is a bijection", "[HASH-7]", 64, mix, factor)?,
         lemma("mix_u32 is a bijection", "[HASH-7]", 32, mix_u32, shift)?,
     ])

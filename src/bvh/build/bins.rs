@@ -1,13 +1,13 @@
 //! The surface area heuristic, evaluated at the borders of bins.
 //!
 //! Wald 2007, "On fast construction of SAH-based bounding volume hierarchies": centroids are counted in bins of equal
-//! width along each axis; the cheapest border between two bins is where the node is cut.
+//! width along each axis. The node is split at the cheapest border between two bins.
 
 use fearless_simd::{Select, Simd, SimdBase, SimdInt, SimdMask, f32x4, f32x8, i32x4};
 
 use super::record::{EMPTY, Planes, Record, union};
 
-/// Boxes and numbers of the items in each of `N` bins, on each axis. A bin does not cross a line of the cache.
+/// Boxes and numbers of the items in each of `N` bins, on each axis. A bin does not cross a cache line.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct Bins<const N: usize> {
@@ -23,7 +23,7 @@ pub(super) struct Border {
     bin: usize,
     /// Items of the left side.
     pub(super) left: usize,
-    /// Of both sides.
+    /// The boxes of both sides.
     pub(super) boxes: [Planes; 2],
 }
 
@@ -39,7 +39,7 @@ impl<const N: usize> Bins<N> {
             }
             return bins;
         }
-        // Neighbours often fall into the same bins: by turns, so that none waits for the one before.
+        // Neighbours often fall into the same bins. Two interleaved sets avoid waits for the previous item.
         let mut others = Self::EMPTY;
         let (pairs, rest) = items.as_chunks::<2>();
         for [a, b] in pairs {
@@ -64,7 +64,7 @@ impl<const N: usize> Bins<N> {
         }
     }
 
-    /// With what others hold.
+    /// Adds the contents of other bins.
     pub(super) fn and(mut self, other: Self) -> Self {
         for (a, b) in self.boxes.as_flattened_mut().iter_mut().zip(other.boxes.as_flattened()) {
             *a = union(a, b);
@@ -75,8 +75,8 @@ impl<const N: usize> Bins<N> {
         self
     }
 
-    /// The cheapest border of `n` items: the least sum over both sides of half area times count. `None` if no border has
-    /// items on both sides, or areas vanish.
+    /// Returns the cheapest border of `n` items: the least sum over both sides of half area times count. `None` if no
+    /// border has items on both sides, or areas vanish.
     #[inline(always)]
     pub(super) fn cheapest<S: Simd>(&self, simd: S, n: usize) -> Option<Border> {
         let empty = f32x8::splat(simd, f32::INFINITY);
@@ -94,7 +94,7 @@ impl<const N: usize> Bins<N> {
             let count: f32x4<S> = i32x4::load_array_ref(simd, &self.counts[border - 1]).to_float();
             counts += count;
             let others = f32x4::splat(simd, n as f32) - counts;
-            // The box of nothing has an infinite area; times a count of 0 that is NaN, which is not less.
+            // The empty box has an infinite area; times a count of 0 that is NaN, which is not less.
             let weight = half_areas(simd, left) * counts + f32x4::load_array(simd, right) * others;
             let is_less = weight.simd_lt(weights);
             weights = is_less.select(weight, weights);
@@ -137,7 +137,8 @@ impl<const N: usize> Bins<N> {
 }
 
 impl Border {
-    /// Moves the items of the left side to the front. How many they are, and the boxes of the centroids of both sides.
+    /// Moves the items of the left side to the front. Returns their number, and the boxes of the centroids of both
+    /// sides.
     #[inline(always)]
     pub(super) fn part<S: Simd>(&self, simd: S, items: &mut [Record], scale: &Scale) -> (usize, [Planes; 2]) {
         let empty = f32x8::splat(simd, f32::INFINITY);
@@ -150,7 +151,7 @@ impl Border {
             let planes = items[i].planes();
             let along = planes[axis] * 0.5 - planes[axis + 4] * 0.5;
             let planes = items[i].load(simd);
-            // By masks, and swapped in any case: branches would be mispredicted.
+            // By masks and unconditional swaps: branches would be mispredicted.
             let is_right = f32x8::splat(simd, (along - start) * factor - 0.5).simd_ge(least);
             let centroid = centroid(simd, planes);
             of_left = of_left.min(is_right.select(empty, centroid));
@@ -171,33 +172,33 @@ pub(super) struct Scale {
     last: f32,
 }
 
-/// From here on, the last bit of a float counts ones.
+/// From here on, the last bit of a float is one.
 const ROUND: f32 = 8_388_608.0;
 
 impl Scale {
     pub(super) fn new(centroids: &Planes, bins: usize) -> Self {
         let factor = |axis: usize| {
             let extent = -(centroids[axis] + centroids[axis + 4]);
-            // Of the smallest extents the quotient overflows.
+            // The quotient overflows for the smallest extents.
             if extent > 0.0 { (bins as f32 / extent).min(f32::MAX) } else { 0.0 }
         };
         let [x, y, z, ..] = *centroids;
         Self { start: [x, y, z, 0.0], factor: [factor(0), factor(1), factor(2), 0.0], last: bins as f32 - 1.0 }
     }
 
-    /// The bin on each axis, in the last bits of a float.
+    /// Returns the bin on each axis, in the last bits of a float.
     #[inline(always)]
     fn bins<S: Simd>(&self, simd: S, planes: f32x8<S>) -> f32x4<S> {
         let (lo, hi) = simd.split_f32x8(planes);
         let centroid = lo * 0.5 - hi * 0.5;
         let start = f32x4::load_array(simd, self.start);
         let factor = f32x4::load_array(simd, self.factor);
-        // Less a half, as the nearest integer is taken.
+        // Less a half, because rounding is to the nearest integer.
         ((centroid - start) * factor - 0.5).max(0.0).min(self.last) + ROUND
     }
 }
 
-/// From where on a number is rounded to a bin or one after it: of halves, to the even one.
+/// Returns the least number that rounds to a bin or a later one: ties go to the even bin.
 fn threshold(bin: usize) -> f32 {
     let middle = bin as f32 - 0.5;
     if bin.is_multiple_of(2) { middle } else { middle.next_up() }
@@ -216,7 +217,7 @@ pub(super) fn extents<S: Simd>(simd: S, items: &[Record]) -> [Planes; 2] {
     [boxes.to_array(), centroids.to_array()]
 }
 
-/// The middle, and the middle negated.
+/// The center, and the negated center.
 #[inline(always)]
 fn centroid<S: Simd>(simd: S, planes: f32x8<S>) -> f32x8<S> {
     let (lo, hi) = simd.split_f32x8(planes);
@@ -226,7 +227,7 @@ fn centroid<S: Simd>(simd: S, planes: f32x8<S>) -> f32x8<S> {
 /// Half of the surface area of each.
 #[inline(always)]
 fn half_areas<S: Simd>(simd: S, [a, b, c]: [f32x8<S>; 3]) -> f32x4<S> {
-    // Not by `map`: closures would not be compiled for the level.
+    // Without `map`: closures would not be compiled for the instruction level.
     let (a, b, c) = (extent(simd, a), extent(simd, b), extent(simd, c));
     let (first, second) = (a.zip_low(c), b.zip_low(c));
     let (third, fourth) = (a.zip_high(c), b.zip_high(c));
@@ -234,7 +235,7 @@ fn half_areas<S: Simd>(simd: S, [a, b, c]: [f32x8<S>; 3]) -> f32x4<S> {
     (x + y) * z + x * y
 }
 
-/// Negated, as both factors of an area are.
+/// Negated, like both factors of an area.
 #[inline(always)]
 fn extent<S: Simd>(simd: S, planes: f32x8<S>) -> f32x4<S> {
     let (lo, hi) = simd.split_f32x8(planes);

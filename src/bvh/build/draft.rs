@@ -1,4 +1,4 @@
-//! A tree with a node for each primitive, of which binary hierarchies and wide ones are made.
+//! A tree with a node for each primitive, from which binary and wide hierarchies are written.
 
 use super::record::{CHUNK, Record};
 use super::reinsert::reinsert;
@@ -11,24 +11,24 @@ use crate::order::SignOrder;
 use crate::threads;
 use crate::tree::{Node, Recorded};
 
-/// A tree whose root is node 0. Children stand side by side, the first pair at 1; some places may be free.
+/// A tree whose root is node 0. Children are adjacent, the first pair at 1; some places may be free.
 #[derive(Clone, Debug)]
 pub(in crate::bvh) struct Draft {
     pub(in crate::bvh) nodes: Vec<Record>,
-    /// Whether there may be several nodes for one primitive, each of a part of it.
+    /// Whether one primitive may have several nodes, each for a part of it.
     pub(in crate::bvh) has_parts: bool,
     /// The nodes with their own boxes, if those in `nodes` are scaled.
     pub(super) unscaled: Option<Vec<Record>>,
 }
 
-/// Which nodes become leaves.
+/// The nodes that become leaves.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Leaves {
-    /// Those whose primitives fit in a leaf and are tested for less there.
+    /// Nodes whose primitives fit in a leaf and cost less there.
     Cheapest,
-    /// Those whose primitives fit in a leaf.
+    /// Nodes whose primitives fit in a leaf.
     Full,
-    /// Those at this depth.
+    /// Nodes at this depth.
     At(u32),
 }
 
@@ -37,17 +37,17 @@ impl Draft {
         &self.nodes[place as usize]
     }
 
-    /// The box of a node.
+    /// Returns the box of a node.
     pub(in crate::bvh) fn aabb(&self, place: u32) -> Aabb {
         self.unscaled.as_ref().unwrap_or(&self.nodes)[place as usize].aabb()
     }
 
-    /// The children of an inner node.
+    /// Returns the children of an inner node.
     pub(in crate::bvh) fn children(&self, node: &Record) -> [&Record; 2] {
         [self.node(node.first()), self.node(node.first() + 1)]
     }
 
-    /// Of nodes whose children stand behind their parents, which do not count yet what is below them.
+    /// Creates a draft of nodes whose children come after their parents, and counts the primitives below each.
     pub(in crate::bvh) fn counted(nodes: Vec<Record>, has_parts: bool) -> Self {
         let mut draft = Self { nodes, has_parts, unscaled: None };
         for place in (0..draft.nodes.len()).rev() {
@@ -74,7 +74,7 @@ impl Draft {
         Ok(())
     }
 
-    /// With nodes moved, as many as this builder moves.
+    /// Returns the draft after the moves of this builder.
     pub(in crate::bvh) fn improved(
         mut self,
         builder: Builder,
@@ -85,7 +85,7 @@ impl Draft {
         Ok(self)
     }
 
-    /// The same tree with the boxes of its items, which `aabb` tells, instead of scaled ones.
+    /// Returns this tree with the boxes of its items, by `aabb`, instead of scaled boxes.
     pub(in crate::bvh) fn fitted(mut self, aabb: impl Fn(u32) -> Aabb) -> Result<Self, BuildError> {
         let mut nodes = filled(Record::NONE, self.nodes.len())?;
         self.upward(|place| {
@@ -100,7 +100,7 @@ impl Draft {
         Ok(self)
     }
 
-    /// The primitives below a node, from left to right; each once, and in order where there are parts.
+    /// Collects the primitives below a node, from left to right. With parts, each is collected once, in order.
     fn prims(&self, place: u32, prims: &mut Vec<u32>) {
         let start = prims.len();
         self.leaves(place, |leaf| prims.push(self.node(leaf).first()));
@@ -152,11 +152,11 @@ struct Layout<'a> {
     rule: Leaves,
     sah: SahOptions,
     made: Made,
-    /// Of all leaves.
+    /// The primitives of all leaves.
     prims: Vec<u32>,
 }
 
-/// All but the shapes.
+/// All output except the shapes.
 #[derive(Default)]
 struct Made {
     nodes: Vec<BvhNode>,
@@ -166,10 +166,10 @@ struct Made {
 }
 
 impl Layout<'_> {
-    /// Places all nodes, which name no others than their children yet.
+    /// Places all nodes, without links except those to children.
     fn place(&mut self) {
         let links = [Node::inner(0); 2];
-        // Nodes still to be placed, and where the address of each is to stand.
+        // Nodes that are not yet placed, and the fields for their addresses.
         let mut pending = vec![(0, 0, None)];
         while let Some((place, depth, parent)) = pending.pop() {
             let is_leaf = self.is_leaf(self.draft.node(place), depth);
@@ -190,7 +190,7 @@ impl Layout<'_> {
             let first = self.draft.node(place).first();
             let children = self.draft.children(self.draft.node(place));
             let (axis, in_order) = order_of(children.map(Record::aabb));
-            // The larger one is the left one: it is visited more often, and stands behind its parent.
+            // The larger child is on the left: it is visited more often, and follows its parent in memory.
             let left = usize::from(children[0].half_area() < children[1].half_area());
             let boxes = [first, first + 1].map(|place| self.draft.aabb(place));
             let is_reversed = in_order == (left == 1);
@@ -216,7 +216,8 @@ impl Layout<'_> {
             }
     }
 
-    /// The cost of a node whose primitives fit in a leaf, in tests times half area, and whether a leaf is the cheapest.
+    /// Returns the cost of a node whose primitives fit in a leaf, in tests times half area, and whether a leaf is the
+    /// cheapest.
     fn cost(&self, node: &Record) -> (f32, bool) {
         let as_leaf = node.half_area() * node.count() as f32;
         if node.is_leaf() {
@@ -228,7 +229,7 @@ impl Layout<'_> {
     }
 }
 
-/// The axis on which the middles of two boxes differ most, and whether the first one is less there.
+/// Returns the axis on which the centers of two boxes differ most, and whether the first center is less there.
 fn order_of([first, second]: [Aabb; 2]) -> (usize, bool) {
     let apart = second.centroid() - first.centroid();
     let axis = apart.abs().max_position();
@@ -236,7 +237,7 @@ fn order_of([first, second]: [Aabb; 2]) -> (usize, bool) {
 }
 
 impl Made {
-    /// Has all records name parent and sibling, which the default traversal climbs by. The root names itself.
+    /// Writes parent and sibling into all records; the default traversal climbs by them. The root refers to itself.
     fn link(&mut self) {
         if self.nodes.is_empty() {
             self.leaves[0].links = [Node::leaf(0); 2];

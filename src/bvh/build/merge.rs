@@ -1,4 +1,4 @@
-//! Few items, from the bottom up: the two whose union is smallest first.
+//! Bottom-up construction over few items: the two items with the smallest union are merged first.
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, f32x8, u32x8};
 
@@ -8,7 +8,7 @@ use super::record::{Planes, Record, half_area, union};
 pub(super) const MAX: usize = 8;
 
 /// Writes the nodes below the parent of 2 to [`MAX`] items, where `from` is the place of the first of `nodes`: the
-/// parent's children, then all below the left one, then all below the right one.
+/// parent's children, then all nodes below the left one, then all nodes below the right one.
 #[inline(always)]
 pub(in crate::bvh) fn merge<S: Simd>(simd: S, items: &[Record], nodes: &mut [Record], from: u32) {
     match items {
@@ -70,7 +70,8 @@ impl Merges {
             }
             lanes.set(b, &FAR);
             lanes.set(a, &both);
-            // A union with the new cluster is no smaller than that with either of its parts: others keep their partners.
+            // A union with the new cluster is no smaller than that with either of its parts: all other clusters keep
+            // their partners.
             for i in 0..n {
                 let own = partner(best[i]);
                 if best[i] < f32::INFINITY && (i == a || own == a || own == b) {
@@ -88,10 +89,10 @@ fn partner(key: f32) -> usize {
     key.to_bits() as usize % MAX
 }
 
-/// Where no cluster is: every union with it is infinite.
+/// An absent cluster: every union with it is infinite.
 const FAR: Planes = [f32::NEG_INFINITY; 8];
 
-/// Clusters side by side, a register for each plane.
+/// Clusters in parallel lanes, one register for each plane.
 #[repr(C, align(32))]
 struct Lanes([[f32; MAX]; 6]);
 
@@ -106,14 +107,14 @@ impl Lanes {
         }
     }
 
-    /// The best partner of a lane, as a key: the half area of the union, and in its last bits the partner.
+    /// Returns the best partner of a lane, as a key: the half area of the union, with the partner in its last bits.
     #[inline(always)]
     fn best<S: Simd>(&self, simd: S, lane: usize, planes: &Planes) -> f32 {
         let [x0, y0, z0, x1, y1, z1] = &self.0;
         let x = row(simd, x0, planes[0]) + row(simd, x1, planes[4]);
         let y = row(simd, y0, planes[1]) + row(simd, y1, planes[5]);
         let z = row(simd, z0, planes[2]) + row(simd, z1, planes[6]);
-        // Not with itself.
+        // Excludes the lane itself.
         let own = f32x8::from_slice(simd, &OWN[MAX - 1 - lane % MAX..][..MAX]);
         let area = ((x + y) * z + x * y + own).min(f32::MAX);
         let bits: u32x8<S> = area.to_bits();
@@ -145,7 +146,7 @@ fn write(merges: &Merges, items: &[Record], nodes: &mut [Record], from: u32) {
     for (made, [a, b]) in merges.pairs.iter().enumerate().take(merges.count) {
         counts[MAX + made] = counts[*a as usize % (2 * MAX)] + counts[*b as usize % (2 * MAX)];
     }
-    // Merges whose clusters are to be written, and where.
+    // Merges whose clusters are not yet written, and their places.
     let mut pending = [(0_usize, 0_u32); MAX];
     pending[0] = (merges.count - 1, 0);
     let mut open = 1;

@@ -1,4 +1,4 @@
-//! Builders. Each makes a [`Draft`] with a node for each primitive; the layout is one for all.
+//! Builders. Each makes a [`Draft`] with a node for each primitive; all share one layout.
 //!
 //! The same primitives and options give the same tree, on any number of threads and any machine. `[BUILD-1]`
 //! `[BUILD-2]`
@@ -30,13 +30,13 @@ use draft::Leaves;
 use reinsert::Rounds;
 use top_down::TopDown;
 
-/// Why a hierarchy cannot be built.
+/// Errors of the builders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BuildError {
-    /// There is nothing to build from.
+    /// There are no primitives.
     #[error("the mesh has no triangles")]
     Empty,
-    /// More triangles than leaves can be addressed.
+    /// More triangles than leaves can address.
     #[error("{0} triangles are more than the {max} that a tree can hold", max = Node::MAX_INDEX)]
     TooManyTriangles(usize),
     /// A leaf must hold a triangle.
@@ -45,7 +45,8 @@ pub enum BuildError {
     /// The box of a primitive is empty or has a NaN.
     #[error("primitive {0} has no box")]
     NoBox(u32),
-    /// More further references were allowed than is sensible: room for them is taken at once.
+    /// More additional references than [`SpatialOptions::MAX_EXTRA_PERCENT`]: memory for all of them is allocated at
+    /// once.
     #[error("{0} further references for 100 triangles are more than {max}", max = SpatialOptions::MAX_EXTRA_PERCENT)]
     ExtraPercent(u32),
     /// A tree within the limit has too few leaves.
@@ -58,47 +59,47 @@ pub enum BuildError {
         /// Greatest depth, in edges.
         limit: u32,
     },
-    /// There is no memory for so many bytes.
+    /// An allocation of this number of bytes failed.
     #[error("no memory for {0} bytes")]
     Memory(usize),
-    /// Floats of this thread, or of one that helps, are not those of IEEE 754. `[ENV-1]`
+    /// The arithmetic of this thread, or of a participating thread, is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
-/// An empty vector with room for so many.
+/// Creates an empty vector with this capacity.
 pub(super) fn room<T>(count: usize) -> Result<Vec<T>, BuildError> {
     let mut made = Vec::new();
     reserve(&mut made, count)?;
     Ok(made)
 }
 
-/// Makes room for so many more.
+/// Reserves room for `count` more elements.
 pub(super) fn reserve<T>(all: &mut Vec<T>, count: usize) -> Result<(), BuildError> {
     all.try_reserve_exact(count).map_err(|_| BuildError::Memory(count.saturating_mul(size_of::<T>())))
 }
 
-/// A vector of `count` equal values. All threads write it, as the first touch of memory takes time.
+/// Creates a vector of `count` equal values. All threads write it, because the first touch of memory takes time.
 pub(super) fn filled<T: Copy + Send + Sync>(value: T, count: usize) -> Result<Vec<T>, BuildError> {
     let mut made = room(count)?;
     threads::map_into(&mut made, 0..count, record::CHUNK, |_| value);
     Ok(made)
 }
 
-/// How a hierarchy is built, by name.
+/// A builder, by name.
 ///
-/// The first three cut by surface area, at the borders of bins (Wald 2007); then the largest nodes are taken out and put
-/// where they make boxes smallest (Meister & Bittner 2018).
+/// The first three split by surface area, at the borders of bins (Wald 2007). Then they remove the largest nodes and
+/// reinsert them where boxes become smallest (Meister & Bittner 2018).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Builder {
-    /// In four rounds 1 % of the nodes are moved.
+    /// Moves 1 % of the nodes in four rounds.
     Fast,
-    /// In four rounds up to 10 % of the nodes are moved.
+    /// Moves up to 10 % of the nodes in four rounds.
     #[default]
     Standard,
-    /// In four rounds any node is moved.
+    /// Moves any node in four rounds.
     Best,
-    /// As [`Standard`](Self::Standard), with triangles cut in two where that is cheaper (Stich, Friedrich & Dietrich
+    /// As [`Standard`](Self::Standard), with triangles divided where that is cheaper (Stich, Friedrich & Dietrich
     /// 2009).
     Spatial,
     /// Eight levels by surface area, then medians: of bounded depth (Barringer & Akenine-Möller 2013).
@@ -111,7 +112,7 @@ impl Builder {
     /// All builders.
     pub const ALL: [Self; 6] = [Self::Fast, Self::Standard, Self::Best, Self::Spatial, Self::Bounded, Self::Median];
 
-    /// The name on the command line and in tables.
+    /// Returns the name on the command line and in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fast => "fast",
@@ -123,7 +124,7 @@ impl Builder {
         }
     }
 
-    /// How much is moved.
+    /// Returns the share of nodes to move.
     const fn rounds(self) -> Rounds {
         match self {
             Self::Fast => Rounds { count: 4, share: 0.01, decay: 1.0 },
@@ -136,39 +137,40 @@ impl Builder {
 
 named!(Builder);
 
-/// What is to be built. Builders ignore what does not concern them.
+/// Options of all builders. Each builder ignores the options that do not apply to it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BuildOptions {
-    /// Which builder.
+    /// The builder.
     pub builder: Builder,
     /// Leaf size and depth limit of binary hierarchies.
     pub sah: SahOptions,
-    /// How primitives are cut.
+    /// Options for spatial splits.
     pub spatial: SpatialOptions,
-    /// What becomes of triangles that no ray meets.
+    /// The treatment of triangles that no ray meets.
     pub degenerate: Degenerate,
 }
 
-/// What becomes of primitives that [cannot be hit](Primitives::can_be_hit).
+/// The treatment of primitives that [cannot be hit](Primitives::can_be_hit).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Degenerate {
-    /// They are in the tree. Rays miss them, and they have nearest points. Tests that are not
-    /// [exact](crate::trace::Accuracy) may hit them by rounding, and a ray that comes near tests them in vain.
+    /// They are in the tree. Rays miss them, and they have nearest points. Inexact [tests](crate::trace::Accuracy) may
+    /// hit them by rounding, and nearby rays test them unnecessarily.
     #[default]
     Kept,
-    /// They are not in the tree, which is for rays alone: it is smaller, and a search for the nearest point does not find them.
+    /// They are not in the tree, which is for rays only: it is smaller, and a search for the nearest point does not
+    /// find them.
     LeftOut,
 }
 
 impl BuildOptions {
-    /// One primitive a leaf, and deep enough for that: the tree that [wide hierarchies](Self::build_wide) are made of,
-    /// which choose their leaves themselves.
+    /// Returns options with one primitive per leaf, and the necessary depth. [Wide hierarchies](Self::build_wide) are
+    /// made from such a tree and choose their leaves themselves.
     #[must_use]
     pub fn fine() -> Self {
         Self { sah: SahOptions { max_leaf: 1, depth_limit: 60 }, ..Self::default() }
     }
 
-    /// A tree over primitives of any kind.
+    /// Builds a tree over primitives of any kind.
     ///
     /// ```
     /// use stackless_bvh::bvh::{BuildOptions, Builder};
@@ -180,16 +182,16 @@ impl BuildOptions {
     /// ```
     ///
     /// # Errors
-    /// What [`BuildError`] lists.
+    /// [`BuildError`].
     pub fn build<P: Primitives + ?Sized>(&self, primitives: &P) -> Result<Bvh<P::Shape>, BuildError> {
         self.build_watched(primitives, &|_| ())
     }
 
-    /// The same, with a callback that hears now and then, from any thread, how many primitives have found their leaf
-    /// since the call before; a call may say 0.
+    /// Builds a tree as [`build`](Self::build) does, with a progress callback. It is called periodically, from any
+    /// thread, with the number of primitives that have found their leaf since the previous call; the number may be 0.
     ///
     /// # Errors
-    /// What [`BuildError`] lists.
+    /// [`BuildError`].
     pub fn build_watched<P: Primitives + ?Sized>(
         &self,
         primitives: &P,
@@ -201,7 +203,7 @@ impl BuildOptions {
         })?
     }
 
-    /// A tree with a node for each primitive, and how many primitives were left out.
+    /// Returns a tree with a node for each primitive, and the number of omitted primitives.
     pub(super) fn draft<P: Primitives + ?Sized>(
         &self,
         primitives: &P,
@@ -244,7 +246,7 @@ impl BuildOptions {
         Ok((if is_scaled { draft.fitted(aabb)? } else { draft }, dropped))
     }
 
-    /// What becomes a leaf of so many items.
+    /// Returns the leaves for this number of items.
     fn leaves(&self, items: usize) -> Leaves {
         match self.builder {
             Builder::Fast | Builder::Standard | Builder::Best | Builder::Spatial => Leaves::Cheapest,
@@ -257,12 +259,12 @@ impl BuildOptions {
     }
 }
 
-/// Levels of [`Builder::Bounded`] that are cut by surface area.
+/// Levels of [`Builder::Bounded`] that are split by surface area.
 const BOUNDED_LEVELS: u32 = 8;
 
 impl<S> Bvh<S> {
-    /// A tree of low cost by the surface area heuristic, over a mesh or primitives of another kind. For others see
-    /// [`BuildOptions::build`].
+    /// Builds a tree of low cost by the surface area heuristic, over a mesh or other primitives.
+    /// [`BuildOptions::build`] has the other builders.
     ///
     /// ```
     /// use stackless_bvh::{bvh::Bvh, generate::procedural};
@@ -272,33 +274,33 @@ impl<S> Bvh<S> {
     /// ```
     ///
     /// # Errors
-    /// [`BuildError::Empty`], which no mesh is, [`BuildError::NoBox`], which no triangle gives, and for more than 2^31 of
-    /// them [`BuildError::TooManyTriangles`] and [`BuildError::DepthLimit`].
+    /// [`BuildError::Empty`], which does not occur for a mesh, [`BuildError::NoBox`], which does not occur for
+    /// triangles, and for more than 2^31 primitives [`BuildError::TooManyTriangles`] and [`BuildError::DepthLimit`].
     pub fn build<P: Primitives<Shape = S> + ?Sized>(primitives: &P) -> Result<Self, BuildError> {
         BuildOptions::default().build(primitives)
     }
 }
 
 impl<V: Vector> Bvh<Triangle<V>> {
-    /// A tree of low cost by the surface area heuristic.
+    /// Builds a tree of low cost by the surface area heuristic.
     ///
-    /// A node is cut by its middle where no plane parts the centroids, or where the cheapest cut would leave one side
-    /// with more triangles than fit below it within the depth limit.
+    /// A node is split by the middle of its count if no plane separates the centroids, or if one side of the cheapest
+    /// split would have more triangles than fit below it within the depth limit.
     ///
     /// # Errors
-    /// What [`BuildError`] lists.
+    /// [`BuildError`].
     pub fn sah(mesh: &Mesh<V>, sah: SahOptions) -> Result<Self, BuildError> {
         BuildOptions { sah, ..BuildOptions::default() }.build(mesh)
     }
 
-    /// A complete tree: all leaves at the same depth, and their counts differ by at most 1.
+    /// Builds a complete tree: all leaves have the same depth, and their counts differ by at most 1.
     ///
-    /// Each node is cut at the exact middle of its count, along the axis on which the centroids spread most. The
-    /// depth is the least with which leaves hold at most `leaf_size` triangles. No leaf is empty: so with a
-    /// `leaf_size` of 1, some leaves hold 2 unless the number of triangles is a power of two.
+    /// Each node is split at the exact middle of its count, along the axis on which the centroids spread most. The
+    /// depth is the least for which leaves hold at most `leaf_size` triangles. No leaf is empty: so with a `leaf_size`
+    /// of 1, some leaves hold 2 unless the number of triangles is a power of two.
     ///
     /// # Errors
-    /// Any but [`BuildError::DepthLimit`] and [`BuildError::ExtraPercent`].
+    /// [`BuildError`], except [`BuildError::DepthLimit`] and [`BuildError::ExtraPercent`].
     pub fn median(mesh: &Mesh<V>, leaf_size: u32) -> Result<Self, BuildError> {
         let sah = SahOptions { max_leaf: leaf_size, depth_limit: u32::MAX };
         BuildOptions { builder: Builder::Median, sah, ..BuildOptions::default() }.build(mesh)

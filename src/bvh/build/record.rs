@@ -1,4 +1,4 @@
-//! What builders sort, and what trees are made of while they are built.
+//! The items that builders sort, which are also the nodes of a tree under construction.
 
 use fearless_simd::{Simd, SimdBase, f32x8};
 use glam::{Vec3, Vec3A};
@@ -8,41 +8,41 @@ use crate::geom::{Aabb, exponent_of, power_of_two};
 use crate::threads;
 use crate::tree::Node;
 
-/// A box and two words, in one register of eight lanes: the lower corner, a word, the upper corner *negated*, a word. So
-/// the box around two is one `min` of all lanes.
+/// A box and two words, in one register of eight lanes: the lower corner, a word, the upper corner *negated*, a word.
+/// So the box around two boxes is one `min` of all lanes.
 ///
-/// Of a primitive, or a part of one, the words are its index and 1; of an inner node the place of the left one of its
-/// children, which stand side by side, and the number of primitives below. No coordinate is -0, of which `min` would
-/// make other bits on other machines. The lanes of the words are computed with like the others, and to no purpose: but
-/// if they were subnormal, as small integers are, that would take some machines ten times as long.
+/// For a primitive, or a part of one, the words are its index and 1. For an inner node they are the place of its left
+/// child, which is adjacent to the right child, and the number of primitives below. No coordinate is -0, for which
+/// `min` would give different bits on different machines. Operations also compute the lanes of the words, and ignore
+/// the results. If they were subnormal, as small integers are, some machines would take ten times as long.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(in crate::bvh) struct Record([f32; 8]);
 
-/// Box and words without an order: what a union is made of.
+/// Box and words without an order: the operand of a union.
 pub(super) type Planes = [f32; 8];
 
-/// Added to words, so that they are usual floats: 0 becomes 2^-63.
+/// Added to words to make them normal floats: 0 becomes 2^-63.
 const USUAL: u32 = 64 << 23;
 
-/// The box of nothing.
+/// The empty box.
 pub(super) const EMPTY: Planes = [f32::INFINITY; 8];
 
-/// Items that one task deals with before another thread may help.
+/// Items that one task processes before another thread may help.
 pub(super) const CHUNK: usize = 1 << 14;
 
 impl Record {
-    /// What stands where there is no node.
+    /// The absent node.
     pub(in crate::bvh) const NONE: Self = Self::over(&EMPTY, 0, 0);
 
-    /// A primitive, or a part of one.
+    /// Creates a primitive, or a part of one.
     #[inline]
     pub(in crate::bvh) fn item(aabb: &Aabb, prim: u32) -> Self {
         let (lo, hi) = (aabb.lo + Vec3::ZERO, Vec3::ZERO - aabb.hi);
         Self::over(&[lo.x, lo.y, lo.z, 0.0, hi.x, hi.y, hi.z, 0.0], prim, 1)
     }
 
-    /// A node with these planes, whose lanes of words are of no account.
+    /// Creates a node with these planes, whose word lanes are ignored.
     #[inline(always)]
     pub(super) const fn over(planes: &Planes, first: u32, count: u32) -> Self {
         let mut made = *planes;
@@ -51,25 +51,25 @@ impl Record {
         Self(made)
     }
 
-    /// An inner node over two children, the left one of which stands at `first`.
+    /// Creates an inner node over two children; the left one is at `first`.
     #[inline(always)]
     pub(in crate::bvh) fn parent([left, right]: [&Self; 2], first: u32) -> Self {
         Self::over(&left.union(right), first, left.count() + right.count())
     }
 
-    /// An item around others.
+    /// Creates an item around other items.
     #[inline(always)]
     pub(in crate::bvh) fn around(items: &[Self], first: u32) -> Self {
         Self::over(&items.iter().fold(EMPTY, |all, item| union(&all, &item.0)), first, 1)
     }
 
-    /// The index of a primitive, or the place of an inner node's left child.
+    /// Returns the index of a primitive, or the place of an inner node's left child.
     #[inline(always)]
     pub(in crate::bvh) fn first(&self) -> u32 {
         self.0[3].to_bits().wrapping_sub(USUAL)
     }
 
-    /// Primitives below, each as often as there are parts of it.
+    /// Returns the number of primitives below; each part of a primitive counts.
     #[inline(always)]
     pub(in crate::bvh) fn count(&self) -> u32 {
         self.0[7].to_bits().wrapping_sub(USUAL)
@@ -121,36 +121,36 @@ impl Record {
         Vec3A::ZERO - Vec3A::from_slice(&self.0[4..])
     }
 
-    /// The middle.
+    /// Returns the center.
     #[inline]
     pub(super) fn centroid(&self) -> Vec3A {
         self.lo() * 0.5 + self.hi() * 0.5
     }
 
-    /// The same in a space that is so many times as large; what is beyond [`REACH`] is moved there.
+    /// Returns the box multiplied by this factor; coordinates beyond [`REACH`] are moved there.
     fn scaled(&self, factor: f64) -> Self {
         let scale = |x: f32| (f64::from(x) * factor).clamp(-REACH, REACH) as f32 + 0.0;
         Self::over(&self.0.map(scale), self.first(), self.count())
     }
 
-    /// The same over so many primitives.
+    /// Returns the node with this number of primitives.
     pub(in crate::bvh) fn holding(&self, count: u32) -> Self {
         Self::over(&self.0, self.first(), count)
     }
 
-    /// Whether there is no node.
+    /// Returns whether this is the absent node.
     #[inline]
     pub(in crate::bvh) fn is_none(&self) -> bool {
         self.count() == 0
     }
 
-    /// Whether box and count are the same.
+    /// Returns whether box and count are equal.
     #[inline]
     pub(super) fn is_same(&self, other: &Self) -> bool {
         self.count() == other.count() && self.0[..3] == other.0[..3] && self.0[4..7] == other.0[4..7]
     }
 
-    /// A box without a point, as it is empty or has a NaN.
+    /// Returns whether the box has no point, because it is empty or has a NaN.
     fn is_empty(&self) -> bool {
         !(0..3).all(|axis| self.0[axis] <= -self.0[axis + 4])
     }
@@ -167,7 +167,7 @@ pub(super) fn half_area(planes: &Planes) -> f32 {
     (x + y) * z + x * y
 }
 
-/// All primitives, or those that can be hit.
+/// Returns all primitives, or those that can be hit.
 pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenerate) -> Result<Vec<Record>, BuildError> {
     let n = match primitives.count() {
         0 => return Err(BuildError::Empty),
@@ -185,7 +185,7 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenera
     if items.is_empty() {
         items.push(Record::item(&primitives.aabb(0), 0));
     }
-    // A NaN would spoil the boxes of others, an empty box the cuts.
+    // A NaN would invalidate the boxes of other items, an empty box the splits.
     let empty = |items: &[Record]| items.iter().find(|item| item.is_empty()).map(Record::first);
     match threads::reduce(&items, CHUNK, empty, Option::or).flatten() {
         Some(prim) => Err(BuildError::NoBox(prim)),
@@ -193,8 +193,8 @@ pub(super) fn items<P: Primitives + ?Sized>(primitives: &P, degenerate: Degenera
     }
 }
 
-/// Takes boxes into a space of usual size where they are not, and says so. `[BUILD-4]` Areas of huge boxes overflow, of tiny ones
-/// they are 0, and an infinite one has no middle.
+/// Scales boxes into a space of moderate size if necessary, and returns whether it did. `[BUILD-4]` Areas of huge boxes
+/// overflow, areas of tiny boxes are 0, and an infinite box has no center.
 pub(in crate::bvh) fn scale(items: &mut [Record]) -> bool {
     let reach_of = |items: &[Record]| items.iter().fold([0.0; 2], |all, item| wider(all, item.reach()));
     let [reach, finite] = threads::reduce(items, CHUNK, reach_of, wider).unwrap_or_default();
@@ -206,7 +206,7 @@ pub(in crate::bvh) fn scale(items: &mut [Record]) -> bool {
     !is_usual
 }
 
-/// Where boxes that reach to infinity end in such a space, in which no other is beyond 2.
+/// The end of infinite boxes in such a space, in which no other coordinate is beyond 2.
 const REACH: f64 = 4.0;
 
 /// Coordinates between which no area overflows, and few vanish.
@@ -218,7 +218,7 @@ fn wider(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
 }
 
 impl Record {
-    /// The greatest absolute coordinate, and the greatest that is finite.
+    /// Returns the greatest absolute coordinate, and the greatest finite one.
     fn reach(&self) -> [f32; 2] {
         let mut reach = [0.0_f32; 2];
         for axis in [0, 1, 2, 4, 5, 6] {

@@ -1,29 +1,29 @@
-//! Reinsertion: subtrees are taken out of a finished tree and put where they make boxes smallest.
+//! Reinsertion: subtrees are removed from a finished tree and inserted where boxes become smallest.
 //!
-//! Meister & Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization": for each node, the best
-//! new sibling is sought in the whole tree, from near to far, with a bound on what can still be gained; all searches of
-//! a round run in parallel. Then the moves are made one after the other, the most promising first. A move that no
-//! longer makes the tree cheaper, because of those before it, is taken back. So the tree gets better with every move,
-//! and does not depend on the number of threads.
+//! Meister & Bittner 2018, "Parallel reinsertion for bounding volume hierarchy optimization": a search of the whole
+//! tree, from near to far, finds the best new sibling of each node. A bound on the possible gain prunes the search. All
+//! searches of a round run in parallel. Then the moves are made one after the other, the most promising first. If
+//! earlier moves have made a move useless, so that the tree does not become cheaper, it is undone. So the tree improves
+//! with every move, and does not depend on the number of threads.
 //!
-//! Only the largest nodes are moved, where most is to be gained.
+//! Only the largest nodes are moved, because they have the greatest gain.
 
 use super::record::{Planes, Record, half_area, union};
 use super::{BuildError, SahOptions, filled};
 use crate::threads;
 
-/// How much is moved.
+/// The number of nodes to move.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rounds {
     pub(super) count: u32,
     /// The share of the nodes that may move in the first round, those of the largest area.
     pub(super) share: f32,
-    /// What this is multiplied by from round to round. In the first ones moves stand in each other's way; rounds matter
-    /// more than shares.
+    /// The factor of this share from round to round. In the first rounds moves obstruct each other; rounds matter more
+    /// than shares.
     pub(super) decay: f32,
 }
 
-/// Optimises a tree whose children stand side by side, the first pair at 1. The depth limit is kept if the tree keeps it.
+/// Optimises a tree whose children are adjacent, the first pair at 1. The depth limit is kept if the tree keeps it.
 pub(super) fn reinsert(
     nodes: &mut [Record],
     rounds: Rounds,
@@ -39,7 +39,7 @@ pub(super) fn reinsert(
         let large = tree.large(areas.least(share));
         share *= rounds.decay;
         let wishes = threads::map_with(0..large.len(), 64, Vec::new, |pending, i| {
-            // Long searches are heard of, too.
+            // Long searches also report progress.
             if i % 1024 == 0 {
                 progress(0);
             }
@@ -55,22 +55,22 @@ pub(super) fn reinsert(
     Ok(())
 }
 
-/// How many nodes there are of each area, by the first bits of it.
+/// A histogram of the areas of nodes, by their first bits.
 struct Areas {
     counts: Vec<u32>,
     total: usize,
 }
 
-/// Bits that are left out.
+/// Ignored bits.
 const REST: u32 = 16;
 
 impl Areas {
     fn add(&mut self, area: f32) {
-        // That of a flat box may be -0, whose first bit is not 0.
+        // The area of a flat box may be -0, whose first bit is not 0.
         self.counts[if area > 0.0 { area.to_bits() >> REST } else { 0 } as usize] += 1;
     }
 
-    /// The area that this share of the nodes have at least, nearly.
+    /// Returns an area that approximately this share of the nodes reach.
     fn least(&self, share: f32) -> f32 {
         let wanted = ((self.total as f64 * f64::from(share)) as usize).max(1);
         let mut sum = 0;
@@ -83,31 +83,31 @@ impl Areas {
     }
 }
 
-/// A tree whose subtrees can be moved. A pair of children stays where it is: that of a node and its sibling becomes that
-/// of the node and its new sibling.
+/// A tree whose subtrees can be moved. A pair of children keeps its place: the place of a node and its sibling becomes
+/// that of the node and its new sibling.
 struct Tree<'a> {
     nodes: &'a mut [Record],
-    /// Of each pair.
+    /// The link of each pair.
     links: Vec<Link>,
     sah: SahOptions,
 }
 
-/// What a pair knows of the node over it.
+/// The data of a pair about the node above it.
 #[derive(Clone, Copy)]
 struct Link {
     parent: u32,
-    /// Edges from there to the deepest leaf, where what fits in a leaf is one.
+    /// Edges from there to the deepest leaf, where items that fit in a leaf count as one.
     height: u32,
 }
 
-/// How many subtrees are enough work for all threads.
+/// Number of subtrees that keep all threads busy.
 const SUBTREES: usize = 256;
 
-/// A node, and the sibling that it would better have.
+/// A node, and its better sibling.
 struct Move {
     node: u32,
     sibling: u32,
-    /// Half area that the tree would lose.
+    /// Decrease of the tree's half area.
     gain: f32,
 }
 
@@ -116,18 +116,18 @@ fn sibling(place: u32) -> u32 {
     ((place + 1) ^ 1) - 1
 }
 
-/// The number of a pair of which this is one.
+/// Returns the number of the pair that contains this place.
 fn pair(place: u32) -> usize {
     place.wrapping_sub(1) as usize / 2
 }
 
 impl<'a> Tree<'a> {
-    /// And the areas of its nodes.
+    /// Returns the tree, and the areas of its nodes.
     fn of(nodes: &'a mut [Record], sah: SahOptions) -> Result<(Self, Areas), BuildError> {
         let mut areas = Areas { counts: vec![0; 1 << (u32::BITS - REST)], total: nodes.len() };
         let mut tree = Self { links: filled(Link { parent: 0, height: 0 }, nodes.len() / 2)?, nodes, sah };
         for place in (0..tree.nodes.len() as u32).rev() {
-            // Children stand behind their parents, so their heights are known.
+            // Children come after their parents, so their heights are known.
             let node = *tree.node(place);
             if node.is_none() {
                 continue;
@@ -152,7 +152,7 @@ impl<'a> Tree<'a> {
         if node.is_leaf() { 0 } else { self.links[pair(node.first())].height }
     }
 
-    /// That of an inner node, by those of its children.
+    /// Returns the height of an inner node, from those of its children.
     fn height_over(&self, node: &Record) -> u32 {
         if node.count() <= self.sah.max_leaf {
             return 0;
@@ -161,7 +161,7 @@ impl<'a> Tree<'a> {
         1 + left.max(right)
     }
 
-    /// All nodes that are so large: no child is larger than its parent.
+    /// Returns all nodes of at least this area: no child is larger than its parent.
     fn large(&self, least: f32) -> Vec<u32> {
         let (mut large, mut level) = (Vec::new(), vec![0]);
         while (1..SUBTREES).contains(&level.len()) {
@@ -186,14 +186,14 @@ impl<'a> Tree<'a> {
         children.filter(move |&child| self.node(child).half_area() >= least)
     }
 
-    /// The best place for a node. `pending` is memory that is kept between calls.
+    /// Finds the best place for a node. `pending` is memory that is reused between calls.
     fn best_move(&self, node: u32, pending: &mut Vec<(f32, u32)>) -> Option<Move> {
         let own = *self.node(node).planes();
         let area = half_area(&own);
         let parent = self.parent(node)?;
         self.parent(parent)?;
         let mut best = Move { node, sibling: node, gain: 0.0 };
-        // What is gained by taking the node out, up to the pivot, whose box without the node is `shrunk`.
+        // The gain of removing the node, up to the pivot, whose box without the node is `shrunk`.
         let mut freed = self.node(parent).half_area();
         let beside = sibling(node);
         let (mut pivot, mut other) = (parent, beside);
@@ -228,9 +228,9 @@ impl<'a> Tree<'a> {
         (best.sibling != node).then_some(best)
     }
 
-    /// Makes `node` the sibling of another one, if that keeps the depth limit and makes the tree cheaper. `[BUILD-5]`
+    /// Makes `node` the sibling of another node, if that keeps the depth limit and makes the tree cheaper. `[BUILD-5]`
     fn try_move(&mut self, node: u32, target: u32) -> bool {
-        // Neither the root nor a child of it is moved.
+        // Neither the root nor its children are moved.
         let Some(parent) = self.parent(node).filter(|&parent| parent != target) else { return false };
         let Some(grandparent) = self.parent(parent) else { return false };
         let beside = sibling(node);
@@ -241,8 +241,8 @@ impl<'a> Tree<'a> {
         }
         let moved = *self.node(node);
         let pair = node.min(beside);
-        // The sibling goes where the parent was, the target where the sibling was, and where the target was a node over
-        // both.
+        // The sibling moves to the parent's place, and the target to the sibling's place. A node over target and `node`
+        // takes the target's place.
         let mut change = -f64::from(self.node(parent).half_area());
         self.put(parent, *self.node(beside));
         change += self.refit(grandparent);
@@ -262,7 +262,7 @@ impl<'a> Tree<'a> {
         false
     }
 
-    /// How deep a node is; `None` if it is `other` or below it.
+    /// Returns the depth of a node; `None` if it is `other` or below it.
     fn depth(&self, place: u32, other: u32) -> Option<u32> {
         let (mut above, mut depth) = (place, 0);
         while above != other {
@@ -280,7 +280,7 @@ impl<'a> Tree<'a> {
         both
     }
 
-    /// Puts a node with what is below it in a place.
+    /// Puts a node and its subtree in a place.
     fn put(&mut self, place: u32, node: Record) {
         self.nodes[place as usize] = node;
         if !node.is_leaf() {
@@ -288,7 +288,7 @@ impl<'a> Tree<'a> {
         }
     }
 
-    /// Whether it was another one.
+    /// Returns whether the height changed.
     fn set_height(&mut self, place: u32) -> bool {
         let node = *self.node(place);
         let height = self.height_over(&node);
@@ -299,7 +299,8 @@ impl<'a> Tree<'a> {
         self.parent(place).map_or(0.0, |above| self.refit(above))
     }
 
-    /// Boxes, counts and heights from a node up, as far as they change. By how much the sum of half areas grows.
+    /// Updates boxes, counts and heights from a node up, until they no longer change. Returns the growth of the sum of
+    /// half areas.
     fn refit(&mut self, place: u32) -> f64 {
         let (mut growth, mut next) = (0.0, Some(place));
         while let Some(place) = next {

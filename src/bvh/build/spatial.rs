@@ -1,12 +1,12 @@
-//! Spatial splits: a node is cut between primitives, or by a plane that cuts primitives too.
+//! Spatial splits: a node is split between primitives, or by a plane that also cuts primitives.
 //!
-//! Stich, Friedrich & Dietrich 2009, "Spatial splits in bounding volume hierarchies": where the children of the best
-//! cut between primitives overlap, planes are tried that refer the primitives which they cut to both sides, each with
-//! the box of the part on that side. Such a primitive goes to one side alone where that is cheaper (reference
+//! Stich, Friedrich & Dietrich 2009, "Spatial splits in bounding volume hierarchies": if the children of the best split
+//! between primitives overlap, the builder tries planes. A plane refers the primitives that it cuts to both sides, each
+//! with the box of the part on that side. Such a primitive goes to one side alone if that is cheaper (reference
 //! unsplitting).
 //!
-//! A range of items comes with free places for further references. What a cut leaves of them is divided among the two
-//! sides by their counts. So a subtree depends on its own range alone, and the tree is the same for any number of
+//! A range of items has free places for additional references. A split divides the remaining free places between the
+//! two sides by their counts. So a subtree depends on its own range alone, and the tree is the same for any number of
 //! threads.
 
 mod bins;
@@ -22,31 +22,31 @@ use bins::Bins;
 use extents::Extents;
 use split::Split;
 
-/// How the builder with spatial splits cuts primitives.
+/// Options for the builder with spatial splits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialOptions {
-    /// References beyond the first of each primitive, at most, in hundredths of the number of primitives: 0 to
-    /// [`MAX_EXTRA_PERCENT`](Self::MAX_EXTRA_PERCENT). Memory for all of them is taken while the tree is built.
+    /// Greatest number of references beyond the first of each primitive, in percent of the number of primitives: 0 to
+    /// [`MAX_EXTRA_PERCENT`](Self::MAX_EXTRA_PERCENT). The builder allocates memory for all of them.
     pub extra_percent: u32,
-    /// Planes that cut primitives are tried where the children of the best other cut overlap by more than this share of
-    /// the root's surface.
+    /// Planes that cut primitives are tried if the children of the best other split overlap by more than this fraction
+    /// of the root's surface.
     pub overlap: f32,
 }
 
 impl SpatialOptions {
-    /// Greatest number of further references: ten for each primitive.
+    /// Greatest number of additional references: ten for each primitive.
     pub const MAX_EXTRA_PERCENT: u32 = 1000;
 }
 
 impl Default for SpatialOptions {
-    /// Up to 30 in 100 primitives more, and an overlap of 10^-3. With the 10^-5 of the paper, trees have twice as many
-    /// further references, and are hardly faster.
+    /// Up to 30 % more references, and an overlap of 10^-3. With the 10^-5 of the paper, trees have twice the number of
+    /// additional references, and are hardly faster.
     fn default() -> Self {
         Self { extra_percent: 30, overlap: 1e-3 }
     }
 }
 
-/// A node for each part, and the nodes over them: children side by side, with free places in between.
+/// Builds a node for each part, and the nodes over them: children are adjacent, with free places in between.
 pub(super) fn build<P: Primitives + ?Sized>(
     primitives: &P,
     mut items: Vec<Record>,
@@ -70,17 +70,17 @@ pub(super) fn build<P: Primitives + ?Sized>(
 struct Builder<'a, P: ?Sized> {
     primitives: &'a P,
     sah: SahOptions,
-    /// Half area from which on spatial splits are tried.
+    /// Overlap from which on spatial splits are tried, as half area.
     least_overlap: f32,
     progress: &'a (dyn Fn(usize) + Sync),
 }
 
-/// Items that a subtree is to be built over.
+/// The items of a subtree.
 struct Range<'a> {
-    /// The items, and free places behind them.
+    /// The items, and free places after them.
     items: &'a mut [Record],
     count: usize,
-    /// Items less the references that were made for primitives which another range counts.
+    /// Items without the references to primitives that another range counts.
     own: usize,
     node: &'a mut Record,
     /// Two fewer than twice the places.
@@ -90,7 +90,7 @@ struct Range<'a> {
     depth: u32,
 }
 
-/// Ranges of at least so many items are built side by side.
+/// Ranges of at least this many items are built in parallel.
 const PARALLEL: usize = 2048;
 
 impl<P: Primitives + ?Sized> Builder<'_, P> {
@@ -108,7 +108,7 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         }
     }
 
-    /// Cuts the range in two, unless it is one item.
+    /// Splits the range, unless it is one item.
     fn cut<'r>(&self, range: Range<'r>, bins: &mut Bins) -> Option<[Range<'r>; 2]> {
         let Range { items, count, own, node, below, next, depth } = range;
         if count == 1 {
@@ -149,7 +149,7 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         ])
     }
 
-    /// Moves the items of the left side to the front, those of the right side behind them, and says how many they are.
+    /// Moves the items of the left side to the front, those of the right side after them, and returns their numbers.
     fn part(&self, items: &mut [Record], count: usize, extents: &Extents, depth: u32, bins: &mut Bins) -> [usize; 2] {
         let levels = self.sah.levels_below(depth);
         // Below the greatest depth are leaves.
@@ -161,7 +161,7 @@ impl<P: Primitives + ?Sized> Builder<'_, P> {
         let may_cut = spare > 0 && overlaps && levels > 0;
         let spatial = if may_cut { bins.across(self.primitives, range, spare, &extents.boxes) } else { None };
         let cost = |split: &Option<Split>| split.as_ref().map_or(f32::INFINITY, |split| split.cost);
-        // Parts cost more than they save where a leaf would be as cheap.
+        // Parts cost more than they save if a leaf would be equally cheap.
         let is_worth = |split: &Split| count > self.sah.max_leaf as usize || split.cost < count as f32;
         if let Some(split) = spatial.filter(|split| split.cost < cost(&object) && is_worth(split))
             && let Some([left, right]) = split.cut(self.primitives, range, spare)

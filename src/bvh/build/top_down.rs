@@ -1,4 +1,4 @@
-//! From the top down by surface area, or by medians; few items at once from the bottom up.
+//! Top-down construction by surface area, or by medians; few items are merged bottom-up.
 
 use fearless_simd::{Level, Simd};
 
@@ -9,27 +9,27 @@ use super::{BuildError, SahOptions, filled};
 use crate::geom::lanes::vectorize;
 use crate::threads;
 
-/// A builder that cuts a range of items in two, and so on.
+/// A builder that splits a range of items recursively.
 pub(super) struct TopDown<'p> {
     pub(super) options: SahOptions,
-    /// Levels that are cut by surface area. Below them ranges are cut at the middle of their count.
+    /// Levels that are split by surface area. Below them ranges are split at the middle of their count.
     pub(super) by_area: u32,
     pub(super) level: Level,
     pub(super) progress: &'p (dyn Fn(usize) + Sync),
 }
 
-/// Items over which the descendants of a node are to be written.
+/// The items of a subtree, and memory for its nodes.
 struct Task<'a> {
     items: &'a mut [Record],
     /// Two fewer than twice the items.
     nodes: &'a mut [Record],
-    /// The place of the first of these.
+    /// The place of the first of these nodes.
     from: u32,
     depth: u32,
     centroids: Planes,
 }
 
-/// A cut of a range that has been reordered.
+/// A split of a range that has been reordered.
 struct Cut {
     left: usize,
     boxes: [Planes; 2],
@@ -46,12 +46,12 @@ impl Cut {
     }
 }
 
-/// Subtrees of so many items are tasks of their own.
+/// Subtrees of this many items are separate tasks.
 const TASK: usize = 1 << 12;
 
 impl TopDown<'_> {
-    /// A node for each item, and the nodes over them: children side by side, below them those of the left one, then those
-    /// of the right one.
+    /// Builds a node for each item, and the nodes over them: children are adjacent, followed by the nodes below the
+    /// left one, then those below the right one.
     pub(super) fn build(&self, mut items: Vec<Record>) -> Result<Vec<Record>, BuildError> {
         let n = items.len();
         let mut nodes = filled(Record::NONE, 2 * n - 1)?;
@@ -71,7 +71,7 @@ impl TopDown<'_> {
         vectorize!(self.level, simd => self.run_by(simd, task));
     }
 
-    /// Recursive only where both sides have many items, as trees may be deep.
+    /// Recursive only if both sides have many items, because trees may be deep.
     #[inline(always)]
     fn run_by<S: Simd>(&self, simd: S, task: Task<'_>) {
         let mut done = 0;
@@ -111,7 +111,7 @@ impl TopDown<'_> {
         (self.progress)(done);
     }
 
-    /// Whether any tree over so many items is flat enough.
+    /// Returns whether any tree over this many items is flat enough.
     fn may_merge(&self, n: usize, depth: u32) -> bool {
         let is_leaf = n <= self.options.max_leaf as usize;
         n == 2 || depth < self.by_area && (is_leaf || n <= self.options.levels_below(depth) as usize + 1)
@@ -132,8 +132,8 @@ impl TopDown<'_> {
         }
     }
 
-    /// By the cheapest border of `N` bins on each axis; by the middle where there is none, or a side would have too many
-    /// items for the depth.
+    /// Splits at the cheapest border of `N` bins on each axis. Splits at the middle if there is none, or if a side
+    /// would have too many items for the depth.
     #[inline(always)]
     fn cut_by<S: Simd, const N: usize>(&self, simd: S, items: &mut [Record], centroids: &Planes, most: usize) -> Cut {
         let (n, scale) = (items.len(), Scale::new(centroids, N));
@@ -151,7 +151,7 @@ impl TopDown<'_> {
         Cut { left, boxes, centroids }
     }
 
-    /// By all threads, so that each needs the level for itself.
+    /// On all threads, so each determines its instruction level.
     fn bins<const N: usize>(&self, items: &[Record], scale: &Scale) -> Bins<N> {
         vectorize!(self.level, simd => Bins::of(simd, items, scale))
     }
@@ -161,10 +161,10 @@ impl TopDown<'_> {
     }
 }
 
-/// Puts the items with the smaller centroids in front, along the axis on which these spread most, and says how many they
-/// are: half of all.
+/// Moves the items with the smaller centroids to the front, along the axis on which centroids spread most. Returns
+/// their number: half of all items.
 ///
-/// The order is total (centroid, then index), so equal centroids are no trouble.
+/// The order is total (centroid, then index), so equal centroids need no special case.
 pub(super) fn halve(items: &mut [Record], centroids: &Planes) -> usize {
     let extent = [0, 1, 2].map(|axis| -(centroids[axis] + centroids[axis + 4]));
     let later_wins = |best: usize, axis: usize| if extent[axis] > extent[best] { axis } else { best };

@@ -1,4 +1,4 @@
-//! Whether a hierarchy is sound in itself, whatever the mesh: all that queries rely on.
+//! Checks of a hierarchy without a mesh: all properties that queries rely on.
 
 use super::BvhError;
 use crate::bvh::{Bvh, Leaf, cover};
@@ -10,9 +10,9 @@ use crate::tree::{self, Node, Topology};
 /// A triangle of a leaf: its index in the mesh, and its place in [`Bvh::triangles`].
 type Reference = (u32, u32);
 
-/// Checks the nodes, then the triangles. Gives all references, sorted.
+/// Checks the nodes, then the triangles. Returns all references, sorted.
 ///
-/// Memory is in proportion to nodes and triangles, whatever the numbers in them are.
+/// Memory is proportional to nodes and triangles, for any values in them.
 pub(in crate::bvh) fn check<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Vec<Reference>, BvhError> {
     check_nodes(bvh)?;
     check_links(bvh)?;
@@ -46,7 +46,7 @@ fn check_nodes<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<(), BvhError> {
     if depth == bvh.tree.depth { Ok(()) } else { Err(BvhError::Depth { stored: bvh.tree.depth, found: depth }) }
 }
 
-/// How far the check has come.
+/// The state of the check.
 struct Walk<'a, V> {
     bvh: &'a Bvh<Triangle<V>>,
     inner: usize,
@@ -56,7 +56,7 @@ struct Walk<'a, V> {
 
 impl<V: Vector> Walk<'_, V> {
     fn inner(&mut self, node: Node, aabb: &Aabb) -> Result<[(Node, Aabb); 2], BvhError> {
-        // An index that is always the next one is reached once, so the walk ends.
+        // Each index must be the next one, so it is reached once and the walk ends.
         let record = match self.bvh.tree.nodes.get(node.index()) {
             Some(record) if node.index() == self.inner => record,
             _ => return Err(BvhError::Order { found: node, expected: self.inner }),
@@ -96,7 +96,7 @@ impl<V: Vector> Walk<'_, V> {
         Ok(())
     }
 
-    /// Whether everything has been seen.
+    /// Checks that everything was reached.
     fn end(&self) -> Result<(), BvhError> {
         if self.inner != self.bvh.tree.nodes.len() {
             return Err(BvhError::Unreached(Node::inner(self.inner as u32)));
@@ -111,7 +111,7 @@ impl<V: Vector> Walk<'_, V> {
     }
 }
 
-/// Whether records name the relatives that they should, in what is known to be a tree.
+/// Checks that records have the correct relatives; the nodes must form a tree.
 fn check_links<S>(bvh: &Bvh<S>) -> Result<(), BvhError> {
     for (record, links) in (0..).zip(tree::link_rows(bvh, bvh.tree.recorded)) {
         let inner = bvh.tree.nodes.len() as u32;
@@ -123,7 +123,8 @@ fn check_links<S>(bvh: &Bvh<S>) -> Result<(), BvhError> {
     Ok(())
 }
 
-/// Whether sorted references are to as many triangles as they should, and those to one triangle have the same corners.
+/// Checks that sorted references are to the stated number of triangles, and that those to one triangle have the same
+/// corners.
 fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> Result<(), BvhError> {
     let mut repeated = 0;
     for &[(prim, place), (next_prim, next_place)] in references.array_windows() {
@@ -150,7 +151,7 @@ fn check_references<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference])
     }
 }
 
-/// Whether the boxes of the leaves that hold a triangle cover it.
+/// Checks that the boxes of the leaves that hold a triangle cover it.
 fn check_cover<V: Vector>(bvh: &Bvh<Triangle<V>>, references: &[Reference]) -> Result<(), BvhError> {
     let own_boxes = bvh.own_boxes();
     let is_covered = |held: &[Reference]| {

@@ -13,12 +13,12 @@ const HEADER_WORDS: usize = 7;
 /// Added to the number of slots in double precision.
 const DOUBLE: u32 = 256;
 
-/// Why bytes are not a [`WideBvh`].
+/// Errors of [`WideBvh::from_bytes`].
 pub type WideBvhFileError = FileError<WideBvhError>;
 
 impl<const A: usize, V: Precision + Stored> WideBvh<A, V> {
-    /// The hierarchy as bytes, fewer than [`bytes`](Self::bytes) says, with a checksum.
-    /// `[FILE-6]` `[FILE-7]` `[FILE-4]`
+    /// Encodes the hierarchy, with a checksum. The size is below [`bytes`](Self::bytes). `[FILE-6]` `[FILE-7]`
+    /// `[FILE-4]`
     ///
     /// ```
     /// use stackless_bvh::{bvh::WideBvh, generate::procedural};
@@ -50,12 +50,12 @@ impl<const A: usize, V: Precision + Stored> WideBvh<A, V> {
         bytes
     }
 
-    /// The hierarchy that these bytes are, sound in itself: all that [`validate`](Self::validate) checks without a mesh
-    /// has been checked, so that queries end and their answers are right for the triangles that it holds. `[FILE-8]`
+    /// Decodes a hierarchy and checks that it is sound. It makes all checks of [`validate`](Self::validate) that need
+    /// no mesh: queries end, and their answers are correct for the triangles in it. `[FILE-8]`
     ///
-    /// Nothing is allocated before the length is known to be right, and then in proportion to it. The checksum finds
-    /// damage, not intent. As with [`Bvh::from_bytes`](crate::bvh::Bvh::from_bytes), bytes can be made up that take
-    /// long to check.
+    /// The decoder allocates nothing before it has checked the length, and then in proportion to it. The checksum
+    /// detects damage, not deliberate changes. As for [`Bvh::from_bytes`](crate::bvh::Bvh::from_bytes), the check can
+    /// take long for bytes that are designed to be slow.
     ///
     /// # Errors
     /// [`WideBvhFileError`].
@@ -90,13 +90,13 @@ impl<const A: usize, V: Precision + Stored> WideBvh<A, V> {
     }
 }
 
-/// Bytes of a file with these counts.
+/// Returns the size of a file with these counts in bytes.
 const fn file_bytes<const A: usize, V: Stored>(nodes: u32, blocks: u32) -> u64 {
     let fixed = MAGIC.len() + 4 * HEADER_WORDS + frame_bytes::<V>() + size_of::<u64>();
     fixed as u64 + nodes as u64 * node_bytes::<A>() as u64 + blocks as u64 * block_bytes::<V>() as u64
 }
 
-/// The slots of a node, and in which precision triangles are.
+/// Returns the slots of a node, with the precision of triangles.
 const fn slots<const A: usize, V: Stored>() -> u32 {
     if V::REAL_BYTES == 4 { A as u32 } else { A as u32 + DOUBLE }
 }
@@ -111,7 +111,7 @@ const fn node_bytes<const A: usize>() -> usize {
     4 * 7 * A
 }
 
-/// A node, without ancestors and without the set of its leaves.
+/// Reads a node, without ancestors and without the set of its leaves.
 fn read_node<const A: usize>(bytes: &[u8]) -> WideNode<A> {
     let mut rows = bytes.chunks_exact(4 * A).map(|row| numbers::<4, A>(row).map(u32::from_le_bytes));
     let mut next = || rows.next().unwrap_or([0; A]);

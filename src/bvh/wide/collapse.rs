@@ -1,4 +1,4 @@
-//! From a tree with a node for each triangle to a wide one.
+//! Conversion of a tree with a node for each triangle into a wide tree.
 
 use super::collapse_dp::CollapseDp;
 use super::draft::{Shapes, draft_of, draft_over_leaves};
@@ -12,14 +12,14 @@ use crate::geom::{Aabb, EnvironmentError, Mesh, Region, Triangle};
 use crate::threads;
 use crate::tree::Node;
 
-/// What collapsing may choose.
+/// Options of the collapse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WideOptions {
-    /// What a visit of an inner node costs.
+    /// Cost of a visit of an inner node.
     pub node_cost: f32,
-    /// What a test of four triangles costs.
+    /// Cost of a test of four triangles.
     pub block_cost: f32,
-    /// Triangles that a leaf may hold, 1 to 15. Leaves of the binary hierarchy that hold more are divided.
+    /// Greatest number of triangles in a leaf, 1 to 15. Larger leaves of the binary hierarchy are divided.
     pub max_leaf: u32,
 }
 
@@ -30,13 +30,13 @@ impl Default for WideOptions {
     }
 }
 
-/// Why a hierarchy cannot be made wide.
+/// Errors of the builders of [`WideBvh`].
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum WideError {
-    /// There is no binary hierarchy.
+    /// The binary hierarchy cannot be built.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// No leaf can hold so many.
+    /// A leaf cannot hold this number of triangles.
     #[error("leaves of {0} triangles, expected 1 to {MAX_COUNT}")]
     LeafSize(u32),
     /// A cost is negative, infinite or not a number.
@@ -48,23 +48,24 @@ pub enum WideError {
     /// More blocks of four triangles than leaves can name.
     #[error("more than {max} blocks of triangles", max = WideBvh::<8>::MAX_BLOCKS)]
     TooManyBlocks,
-    /// Floats of this thread, or of one that helps, are not those of IEEE 754. `[ENV-1]`
+    /// The arithmetic of this thread, or of a participating thread, is not that of IEEE 754. `[ENV-1]`
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
 impl<V: Precision> WideBvh<8, V> {
-    /// A hierarchy of eight children over a mesh, as [`BuildOptions::default`] has it.
+    /// Builds a hierarchy of eight children over a mesh, with [`BuildOptions::default`].
     ///
     /// # Errors
-    /// What [`WideError`] lists but for options.
+    /// [`WideError`], except those of options.
     pub fn build(mesh: &Mesh<V>) -> Result<Self, WideError> {
         BuildOptions::default().build_wide(mesh)
     }
 }
 
 impl BuildOptions {
-    /// A wide hierarchy over the triangles of a mesh. What [`sah`](Self::sah) says is for binary ones.
+    /// Builds a wide hierarchy over the triangles of a mesh. It ignores [`sah`](Self::sah), which is for binary
+    /// hierarchies.
     ///
     /// ```
     /// use stackless_bvh::bvh::{BuildOptions, Builder, WideBvh};
@@ -76,13 +77,14 @@ impl BuildOptions {
     /// ```
     ///
     /// # Errors
-    /// What [`WideError`] lists but for [`LeafSize`](WideError::LeafSize) and [`Cost`](WideError::Cost).
+    /// [`WideError`], except [`LeafSize`](WideError::LeafSize) and [`Cost`](WideError::Cost).
     pub fn build_wide<const A: usize, V: Precision>(&self, mesh: &Mesh<V>) -> Result<WideBvh<A, V>, WideError> {
         self.build_wide_watched(mesh, &|_| ())
     }
 
-    /// The same, with a callback that hears now and then, from any thread, how many triangles have found their leaf
-    /// since the call before; a call may say 0.
+    /// Builds a hierarchy as [`build_wide`](Self::build_wide) does, with a progress callback. It is called
+    /// periodically, from any thread, with the number of triangles that have found their leaf since the previous call;
+    /// the number may be 0.
     ///
     /// # Errors
     /// As [`build_wide`](Self::build_wide).
@@ -102,23 +104,23 @@ impl BuildOptions {
 }
 
 impl<const A: usize, V: Precision> WideBvh<A, V> {
-    /// A wide hierarchy over the triangles of a binary one. The best one is made of a binary one with
-    /// [one triangle a leaf](BuildOptions::fine).
+    /// Converts a binary hierarchy over triangles into a wide one. A binary hierarchy with [one triangle per
+    /// leaf](BuildOptions::fine) gives the best result.
     ///
     /// # Errors
-    /// What [`WideError`] lists but for options.
+    /// [`WideError`], except those of options.
     pub fn of(bvh: &Bvh<Triangle<V>>) -> Result<Self, WideError> {
         Self::with_options(bvh, &WideOptions::default())
     }
 
-    /// The same with options.
+    /// Converts a binary hierarchy with options.
     ///
     /// The same hierarchy and options give the same result, for any number of threads. Inner nodes have a level of at
-    /// most [`MAX_LEVEL`](Self::MAX_LEVEL), however deep the binary hierarchy is: where the cheapest one would be deeper,
-    /// a subtree is made anew, by its leaves from left to right, as flat as can be.
+    /// most [`MAX_LEVEL`](Self::MAX_LEVEL), for any depth of the binary hierarchy: if the cheapest hierarchy would be
+    /// deeper, a subtree is rebuilt from its leaves, from left to right, with the least possible depth.
     ///
     /// # Errors
-    /// What [`WideError`] lists.
+    /// [`WideError`].
     pub fn with_options(bvh: &Bvh<Triangle<V>>, options: &WideOptions) -> Result<Self, WideError> {
         let WideOptions { node_cost, block_cost, max_leaf } = *options;
         if !(1..=MAX_COUNT).contains(&max_leaf) {
@@ -136,7 +138,7 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     }
 }
 
-/// The nodes and levels of a hierarchy with the same leaves.
+/// Builds the nodes and levels of a hierarchy with the same leaves.
 pub(super) fn over_leaves<const A: usize, V: Precision>(
     wide: &WideBvh<A, V>,
 ) -> Result<(Vec<WideNode<A>>, u32), WideError> {
@@ -145,7 +147,8 @@ pub(super) fn over_leaves<const A: usize, V: Precision>(
     Ok((made.nodes, made.levels))
 }
 
-/// The top first; then what is below it, some parts at a time on all threads, so that no second copy of all is held.
+/// Collapses the top first; then the parts below it, a few at a time on all threads, so that no second copy of the
+/// whole is in memory.
 fn collapse<const A: usize, V: Precision>(
     shapes: &impl Shapes<V>,
     draft: &Draft,
@@ -174,16 +177,16 @@ struct Collapse<'a, H, const A: usize> {
     collapse_dp: CollapseDp<'a, A>,
 }
 
-/// What an inner node is made of.
+/// The source of an inner node.
 #[derive(Clone)]
 enum Source {
-    /// The programme's choice for this node of the draft.
+    /// The choice of the dynamic programme for this node of the draft.
     Node(u32),
     /// These leaves of the draft, from left to right.
     Leaves(Vec<u32>),
 }
 
-/// An inner node that is still to be filled.
+/// An inner node that is not yet filled.
 #[derive(Clone)]
 struct Pending {
     source: Source,
@@ -198,7 +201,7 @@ struct Children<const A: usize> {
     count: usize,
 }
 
-/// A part of the hierarchy, with places of its own. Its root is the first node.
+/// A part of the hierarchy, with its own indices. Its root is the first node.
 struct Made<V: Precision, const A: usize> {
     nodes: Vec<WideNode<A>>,
     blocks: Vec<Block<V>>,
@@ -212,7 +215,7 @@ impl<const A: usize, H> Collapse<'_, H, A> {
         self.collapse_dp.draft
     }
 
-    /// What is below a node, and the nodes that are left to be filled: those that hold at most `cut` triangles.
+    /// Builds the part below a node, and returns the nodes that are not yet filled: those with at most `cut` triangles.
     fn below<V: Precision>(&self, root: Pending, cut: u32) -> (Made<V, A>, Vec<Pending>)
     where
         H: Shapes<V>,
@@ -265,10 +268,10 @@ impl<const A: usize, H> Collapse<'_, H, A> {
         }
     }
 
-    /// The children of an inner node at this level, from left to right.
+    /// Returns the children of an inner node at this level, from left to right.
     ///
-    /// What is at this level can always be made anew within the limit: that holds for the root, for children of a node
-    /// that is made anew, as they have an A-th of its leaves, and for others because it is asked here.
+    /// A node at this level can always be rebuilt within the limit. This holds for the root, for children of a rebuilt
+    /// node, which have an A-th of its leaves, and for other nodes because this function checks it.
     fn children(&self, source: Source, level: u32) -> Children<A> {
         let mut made = Children { sources: [const { Source::Node(0) }; A], boxes: [Aabb::EMPTY; A], count: 0 };
         let mut add = |aabb: Aabb, source: Source| {
@@ -305,7 +308,7 @@ const fn max_level<const A: usize>() -> u32 {
     WideBvh::<A>::MAX_LEVEL
 }
 
-/// The level of the deepest inner node below one that holds so many triangles, if it is as flat as can be.
+/// Returns the least possible level of the deepest inner node below a node with this many triangles.
 fn flattest<const A: usize>(count: u32) -> u32 {
     let (mut held, mut levels) = (A as u64, 0);
     while held < u64::from(count) {
@@ -316,7 +319,7 @@ fn flattest<const A: usize>(count: u32) -> u32 {
 }
 
 impl<V: Precision, const A: usize> Made<V, A> {
-    /// Takes parts over, with their roots at these indices. `total` is the number of triangles of the whole hierarchy.
+    /// Appends parts, with their roots at these indices. `total` is the number of triangles of the whole hierarchy.
     fn take(&mut self, made: impl Iterator<Item = (Self, usize)>, total: u32) -> Result<(), WideError> {
         let (mut nodes, mut blocks, mut parts) = (self.nodes.len(), self.blocks.len(), Vec::new());
         for (made, root) in made {
@@ -343,7 +346,7 @@ impl<V: Precision, const A: usize> Made<V, A> {
         Ok(())
     }
 
-    /// Of a mesh of so many triangles, some of which are in no leaf.
+    /// Returns the hierarchy of a mesh with this many triangles, some of which are in no leaf.
     fn finish(self, region: Region, triangles: usize, dropped: usize) -> WideBvh<A, V> {
         let Self { nodes, blocks, levels, references } = self;
         let duplicates = references - (triangles - dropped);
@@ -351,8 +354,8 @@ impl<V: Precision, const A: usize> Made<V, A> {
     }
 }
 
-/// Makes room for so many, and if there is not enough, for all that will come if that is as what is there now, a share of
-/// all: to grow by and by would take a second copy.
+/// Reserves room for `count` elements. If there is not enough, it reserves room for the whole, estimated from the
+/// current share: repeated growth would need a second copy.
 fn make_room<T>(all: &mut Vec<T>, count: usize, share: f64) -> Result<(), BuildError> {
     if count > all.capacity() {
         let expected = (count as f64 / share * 1.06) as usize;
@@ -361,7 +364,7 @@ fn make_room<T>(all: &mut Vec<T>, count: usize, share: f64) -> Result<(), BuildE
     Ok(())
 }
 
-/// A part of a hierarchy, and where it goes.
+/// A part of a hierarchy, and its destination.
 struct Part<V: Precision, const A: usize> {
     made: Made<V, A>,
     /// The index of the root, and its ancestors.
@@ -372,7 +375,7 @@ struct Part<V: Precision, const A: usize> {
 }
 
 impl<V: Precision, const A: usize> Part<V, A> {
-    /// Has its nodes name each other by their indices in the whole.
+    /// Replaces the indices in its nodes by those in the whole hierarchy.
     fn place(&mut self) {
         let (root, [nodes, blocks]) = (self.root, self.start.map(|start| start as u32));
         let index = |i: usize| if i == 0 { root as u32 } else { nodes - 1 + i as u32 };

@@ -1,4 +1,4 @@
-//! The dynamic programme: which descendants a node takes over.
+//! The dynamic programme that selects the descendants of a node that become its children.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
@@ -12,25 +12,25 @@ use crate::threads;
 
 /// The cheapest forests below each node of a tree, by the number of their roots. `[BUILD-6]`
 ///
-/// Ylitie, Karras & Laine 2017, section 4. Of a node and i from 1 to A, the forest of at most i roots that cost least:
-/// with one root, a leaf, or an inner node over the forest of at most A below the two children together; with more, one
-/// with fewer roots, or forests below the left child and the right one.
+/// Ylitie, Karras & Laine 2017, section 4. For a node and each i from 1 to A, this is the cheapest forest of at most i
+/// roots. With one root, it is a leaf, or an inner node over the forest of at most A roots below the two children
+/// together. With more roots, it is one with fewer roots, or forests below the left child and the right child.
 pub(super) struct CollapseDp<'a, const A: usize> {
     pub(super) draft: &'a Draft,
     options: WideOptions,
     level: Level,
-    /// A [`Decision`] for each pair of children. Threads write their own ones.
+    /// A [`Decision`] for each pair of children. Each thread writes separate ones.
     decisions: Vec<AtomicU64>,
 }
 
-/// How many roots are below the left child: first, of the forest below an inner node, or 0 where a leaf is cheaper; then of
-/// the node's forests of at most 2 to A roots, or 0 where one with fewer roots is as cheap.
+/// Numbers of roots below the left child: first, for the forest below an inner node, or 0 if a leaf is cheaper; then
+/// for the node's forests of at most 2 to A roots, or 0 if one with fewer roots is equally cheap.
 type Decision = [u8; 8];
 
-/// Of the forests of at most 1 to 8 roots.
+/// Costs of the forests of at most 1 to 8 roots.
 type Costs = [f32; 8];
 
-/// Where a [`Decision`] says what is below an inner node.
+/// Index in a [`Decision`] of the entry for an inner node.
 const INNER: usize = 0;
 
 impl<'a, const A: usize> CollapseDp<'a, A> {
@@ -38,7 +38,7 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
         let mut decisions = room(draft.nodes.len() / 2)?;
         decisions.resize_with(draft.nodes.len() / 2, AtomicU64::default);
         let collapse_dp = Self { draft, options: *options, level: levels()[0].1, decisions };
-        // The subtrees that are short are for all threads. Then comes what is above them.
+        // All threads process the subtrees that are small. Then comes the part above them.
         let (mut above, mut short, mut pending) = (Vec::new(), Vec::new(), vec![0]);
         while let Some(place) = pending.pop() {
             let node = draft.node(place);
@@ -81,8 +81,8 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
         })
     }
 
-    /// The costs of the first node, of all nodes from parents to children, left ones first; `known` tells those of nodes
-    /// without children.
+    /// Computes the costs of the first node from all nodes, parents before children, left before right; `known` has the
+    /// costs of nodes without children.
     #[inline(always)]
     fn fold<S: Simd>(&self, simd: S, memory: &mut Memory, mut known: impl FnMut(&Record) -> Option<Costs>) -> Costs {
         memory.known.clear();
@@ -91,7 +91,7 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
             let costs = known(node).unwrap_or_else(
                 #[inline(always)]
                 || {
-                    // The left one comes last.
+                    // The left child comes last.
                     let (left, right) = (memory.known.pop(), memory.known.pop());
                     self.over(simd, node, &left.unwrap_or_default(), &right.unwrap_or_default())
                 },
@@ -125,10 +125,10 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
         let (area, count) = (node.half_area(), node.count());
         let as_node = best[A - 1] + area * node_cost;
         let as_leaf = area * block_cost * count.div_ceil(4) as f32;
-        // What is huge may cost infinitely much as a node too.
+        // A huge box may cost infinitely much as a node too.
         let is_leaf = count <= max_leaf && as_leaf < f32::INFINITY && as_leaf <= as_node;
         let one = f32x8::splat(simd, if is_leaf { as_leaf } else { as_node });
-        // With one root, with two in two forests, and so on; then the least of these and all before them.
+        // With one root, with two in two forests, and so on; then the least of each and all before it.
         let none = f32x8::splat(simd, f32::INFINITY);
         let apart = one.slide::<7>(best.slide::<1>(none));
         let costs = apart.min(none.slide::<7>(apart));
@@ -136,7 +136,7 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
         let costs = costs.min(none.slide::<4>(costs));
         let is_less = apart.simd_lt(none.slide::<7>(costs));
         let mut decision = is_less.select(lefts, u32x8::splat(simd, 0)).to_array();
-        // The first one stands for the node alone, which is not divided: in its place is what is below the node.
+        // The first entry is for the node alone, which is not divided: it has the forest below the node instead.
         decision[0] = if is_leaf { 0 } else { lefts[A - 1] };
         self.decide(node, decision.map(|k| k as u8));
         costs.to_array()
@@ -152,24 +152,24 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
         self.decisions[node.first() as usize / 2].load(Relaxed).to_le_bytes()
     }
 
-    /// Whether this becomes a leaf, where it is a root.
+    /// Returns whether this becomes a leaf, if it is a root.
     #[inline(always)]
     pub(super) fn is_leaf(&self, place: u32) -> bool {
         let node = self.draft.node(place);
         node.is_leaf() || self.decision(node)[INNER] == 0
     }
 
-    /// The children of an inner node, from left to right, and how many they are.
+    /// Returns the children of an inner node, from left to right, and their number.
     #[inline(always)]
     pub(super) fn children(&self, place: u32) -> ([u32; A], usize) {
         let mut children = [place; A];
         if self.is_leaf(place) {
-            // Of the root only.
+            // Only for the root.
             return (children, 1);
         }
         let node = self.draft.node(place);
         let (first, left) = (node.first(), self.decision(node)[INNER]);
-        // Nodes, and how many roots are below each at most.
+        // Nodes, and the greatest number of roots below each.
         let mut pending = [(0, 0_u8); A];
         (pending[0], pending[1]) = ((first + 1, A as u8 - left), (first, left));
         let (mut open, mut made) = (2, 0);
@@ -197,7 +197,7 @@ impl<'a, const A: usize> CollapseDp<'a, A> {
     }
 }
 
-/// What a thread keeps from one subtree to the next.
+/// Memory that a thread reuses for each subtree.
 #[derive(Default)]
 struct Memory {
     order: Vec<u32>,
@@ -205,12 +205,13 @@ struct Memory {
     known: Vec<Costs>,
 }
 
-/// Of at most i + 1 roots, at least one on each side: the least cost, and how many are on the left.
+/// Returns for at most i + 1 roots, with at least one on each side: the least cost, and the number of roots on the
+/// left.
 #[inline(always)]
 fn divided<S: Simd, const A: usize>(simd: S, left: &Costs, right: &Costs) -> (f32x8<S>, u32x8<S>) {
     let none = f32x8::splat(simd, f32::INFINITY);
     let right = f32x8::load_array_ref(simd, right);
-    // By registers: what is loaded from where several lanes were just stored waits for these.
+    // In registers: a load after stores of several of its lanes waits for them.
     let others = [
         none.slide::<7>(right),
         none.slide::<6>(right),

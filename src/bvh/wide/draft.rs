@@ -1,4 +1,4 @@
-//! The tree that is collapsed, with a node for each triangle or for each leaf, and what becomes of these.
+//! The input tree of the collapse, with a node for each triangle or for each leaf, and the leaves that result.
 
 use std::ops::Range;
 
@@ -12,13 +12,14 @@ use crate::geom::{Aabb, Mesh, Triangle, Vector};
 use crate::order::Side;
 use crate::tree::{Node, Topology};
 
-/// What the leaves of a draft stand for.
+/// The shapes that the leaves of a draft refer to.
 pub(super) trait Shapes<V: Precision>: Sync {
-    /// Writes a leaf that holds these, each triangle once, and says where. `leaves` are then those that it holds.
+    /// Writes a leaf with these shapes, each triangle once, and returns its address. `leaves` then has the shapes in
+    /// it.
     fn write(&self, leaves: &mut Vec<u32>, has_parts: bool, blocks: &mut Vec<Block<V>>) -> Node;
 }
 
-/// By their index in the mesh.
+/// Identified by their index in the mesh.
 impl<V: Precision> Shapes<V> for Mesh<V> {
     #[inline(always)]
     fn write(&self, leaves: &mut Vec<u32>, has_parts: bool, blocks: &mut Vec<Block<V>>) -> Node {
@@ -26,7 +27,7 @@ impl<V: Precision> Shapes<V> for Mesh<V> {
     }
 }
 
-/// By their places in the hierarchy.
+/// Identified by their places in the hierarchy.
 impl<V: Precision> Shapes<V> for Bvh<Triangle<V>> {
     fn write(&self, leaves: &mut Vec<u32>, has_parts: bool, blocks: &mut Vec<Block<V>>) -> Node {
         let held = |leaf: u32| &self.triangles()[leaf as usize];
@@ -34,7 +35,7 @@ impl<V: Precision> Shapes<V> for Bvh<Triangle<V>> {
     }
 }
 
-/// Leaves of a wide hierarchy, which stay as they are.
+/// Leaves of a wide hierarchy, which do not change.
 impl<V: Precision> Shapes<V> for Vec<Node> {
     fn write(&self, leaves: &mut Vec<u32>, _: bool, _: &mut Vec<Block<V>>) -> Node {
         self[leaves[0] as usize]
@@ -64,14 +65,14 @@ fn write<V: Precision>(
     Node::leaf((leaves.len() as u32) << BLOCK_BITS | first as u32)
 }
 
-/// What is below a node.
+/// The contents below a node.
 enum Below {
     Node(Node),
     /// Triangles of a leaf that is halved.
     Part(Range<usize>),
 }
 
-/// That of a binary hierarchy, whose leaves are halved until they hold one triangle.
+/// Returns the draft of a binary hierarchy, whose leaves are halved until they hold one triangle.
 pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Draft, BuildError> {
     let mut nodes = room(2 * bvh.triangles().len() - 1)?;
     nodes.push(Record::NONE);
@@ -94,7 +95,7 @@ pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Draft, Build
             Below::Part(Range { start, end }) => {
                 let middle = start + (end - start) / 2;
                 [start..middle, middle..end].map(|part| {
-                    // A leaf's box may hold only parts of its triangles: then other leaves hold the others.
+                    // A leaf's box may hold only parts of its triangles: then other leaves hold the other parts.
                     let held = bvh.triangles()[part.clone()].iter().map(|held| bvh.frame().aabb(&held.shape));
                     (Below::Part(part), held.fold(Aabb::EMPTY, Aabb::union).intersection(&aabb))
                 })
@@ -109,8 +110,8 @@ pub(super) fn draft_of<V: Vector>(bvh: &Bvh<Triangle<V>>) -> Result<Draft, Build
     Ok(Draft::counted(nodes, bvh.duplicates() > 0))
 }
 
-/// That of a wide hierarchy: a node for each of its leaves, which are returned too. Children of a node are merged from the
-/// bottom up, and then subtrees are moved.
+/// Returns the draft of a wide hierarchy, with a node for each of its leaves, and these leaves. Children of a node are
+/// merged from the bottom up, and then subtrees are moved.
 pub(super) fn draft_over_leaves<const A: usize, V: Precision>(
     wide: &WideBvh<A, V>,
 ) -> Result<(Draft, Vec<Node>), BuildError> {
@@ -132,7 +133,7 @@ pub(super) fn draft_over_leaves<const A: usize, V: Precision>(
     Ok((draft, leaves))
 }
 
-/// The nodes of a draft over these leaves, which do not count yet what is below them.
+/// Returns the nodes of a draft over these leaves, without counts of primitives.
 #[inline(always)]
 fn merged<S: Simd, const A: usize, V: Precision>(
     simd: S,
@@ -140,8 +141,8 @@ fn merged<S: Simd, const A: usize, V: Precision>(
     leaves: &[Record],
 ) -> Result<Vec<Record>, BuildError> {
     let count = wide.nodes.len();
-    // Of each node in turn the box, from the bottom up, then the place, from the top down. An item that stands for an
-    // inner node has its index, beyond those of leaves.
+    // For each node, first the box, from the bottom up, then the place, from the top down. An item for an inner node
+    // has its index, after those of leaves.
     let (mut boxes, mut places) = (filled(Record::NONE, count)?, filled(0, count)?);
     let inner = |index: usize| (leaves.len() + index) as u32;
     let mut next = leaves.len();
@@ -173,7 +174,7 @@ fn merged<S: Simd, const A: usize, V: Precision>(
     Ok(nodes)
 }
 
-/// The children of a node, the first of whose leaves is the first of these, and how many they are.
+/// Returns the children of a node, whose first leaf is the first of `leaves`, and their number.
 #[inline(always)]
 fn items<const A: usize>(node: &WideNode<A>, mut leaves: &[Record], boxes: &[Record]) -> ([Record; A], usize) {
     let (mut made, mut count) = ([Record::NONE; A], 0);

@@ -1,21 +1,21 @@
-//! Which child is in which slot.
+//! Assignment of children to slots.
 
 use glam::Vec3;
 
 use crate::geom::Aabb;
 
-/// The slots of these children, at most `A`.
+/// Returns the slots of these children, at most `A`.
 ///
-/// Of eight, so that `slot ^ octant` is about the order along a ray in that octant, octants being of the signs of
-/// directions: each slot is a corner of the node, and children lie toward their slots. Ylitie et al. 2017, section 3.2,
-/// with the best pairs first in place of an auction. Of four, in the given order.
+/// For eight children, `slot ^ octant` is approximately the order along a ray in that octant, where octants are signs
+/// of directions: each slot is a corner of the node, and children lie toward their slots. Ylitie et al. 2017, section
+/// 3.2, with the best pairs first instead of an auction. For four children, the slots are in the given order.
 pub(super) fn assign<const A: usize>(boxes: &[Aabb]) -> [u32; A] {
     let mut slots = std::array::from_fn(|slot| slot as u32);
     if A != 8 {
         return slots;
     }
     let middle = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union).centroid();
-    // Of each child that has no slot yet its best free one, which is that of its signs until another child has it.
+    // For each child without a slot, its best free slot, which is that of its signs until another child takes it.
     let mut children = [Seeker { apart: Vec3::ZERO, slot: 0, score: f32::NEG_INFINITY }; A];
     for (child, aabb) in children.iter_mut().zip(boxes) {
         *child = Seeker::new(aabb.centroid() - middle);
@@ -35,19 +35,19 @@ pub(super) fn assign<const A: usize>(boxes: &[Aabb]) -> [u32; A] {
     slots
 }
 
-/// A child that is to be placed.
+/// A child without a slot.
 #[derive(Clone, Copy)]
 struct Seeker {
-    /// From the middle of the node.
+    /// The offset from the center of the node.
     apart: Vec3,
     slot: u32,
-    /// How far it lies toward the slot.
+    /// Its extent toward the slot.
     score: f32,
 }
 
 impl Seeker {
     fn new(apart: Vec3) -> Self {
-        // A box without a middle is anywhere.
+        // A box without a center may be anywhere.
         let apart = Vec3::select(apart.cmpeq(apart), apart, Vec3::ZERO).clamp(Vec3::MIN / 8.0, Vec3::MAX / 8.0);
         let slot = apart.cmpgt(Vec3::ZERO).bitmask();
         Self { apart, slot, score: apart.abs().element_sum() }

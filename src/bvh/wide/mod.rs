@@ -1,9 +1,9 @@
 //! Hierarchies of four or eight children, for tests of many boxes at once.
 //!
-//! A [`WideBvh`] is made of a tree of two children by collapsing: a node takes over grandchildren and further
-//! descendants until its slots are full. Which ones is decided by the dynamic programme of Ylitie, Karras & Laine 2017,
-//! "Efficient incoherent ray traversal on GPUs through compressed wide BVHs", section 4. What a traversal needs of the
-//! tree: spec/wide.md.
+//! A collapse makes a [`WideBvh`] from a tree of two children: a node adopts grandchildren and further descendants
+//! until its slots are full. The dynamic programme of Ylitie, Karras & Laine 2017, "Efficient incoherent ray traversal
+//! on GPUs through compressed wide BVHs", section 4, selects them. spec/wide.md has the requirements of traversals on
+//! the tree.
 //!
 //! ```
 //! use stackless_bvh::bvh::WideBvh;
@@ -38,15 +38,15 @@ use crate::wide::Topology;
 
 use glam::Vec3;
 
-/// A hierarchy over the triangles of a mesh, with up to `A` children a node: 4 or 8. Boxes are in single precision, in the
-/// [frame](crate::geom::Frame) of a mesh in double precision. `[WIDE-1]`
+/// A hierarchy over the triangles of a mesh, with up to `A` children per node: 4 or 8. Boxes are in single precision,
+/// in the [frame](crate::geom::Frame) of a mesh in double precision. `[WIDE-1]`
 #[derive(Clone, Debug)]
 pub struct WideBvh<const A: usize = 8, V: Precision = Vec3> {
     nodes: Vec<WideNode<A>>,
     blocks: Vec<Block<V>>,
     region: Region,
     levels: u32,
-    /// Triangles of the mesh, those that are in no leaf included.
+    /// Triangles of the mesh, including those in no leaf.
     triangles: usize,
     duplicates: usize,
     pub(super) least: Least,
@@ -56,11 +56,11 @@ pub struct WideBvh<const A: usize = 8, V: Precision = Vec3> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct WideNode<const A: usize> {
-    /// For each axis, the lower planes of the slots' boxes, then the upper planes. Of an empty slot, plus and minus
+    /// For each axis, the lower planes of the slots' boxes, then the upper planes. An empty slot has plus and minus
     /// infinity. `[BOX-7]`
     pub planes: [[[f32; A]; 2]; 3],
-    /// Bits of the children, as [`Node`] has them; 0 in an empty slot. The index of an inner node is its place in
-    /// [`WideBvh::nodes`]; that of a leaf says what [`WideBvh::leaf`] needs.
+    /// Bits of the children's [`Node`]s; 0 in an empty slot. The index of an inner node is its place in
+    /// [`WideBvh::nodes`]; that of a leaf is the input of [`WideBvh::leaf`].
     pub children: [u32; A],
     /// In the lowest 24 bits the indices of the `A` nearest ancestors, the parent first; the root's, which is 0, beyond
     /// the root. In the highest 8 bits of the first the set of the slots that hold leaves.
@@ -70,17 +70,17 @@ pub struct WideNode<const A: usize> {
 /// Bits of an index in [`WideNode::ancestors`].
 const ANCESTOR_BITS: u32 = 24;
 
-/// Bits of a leaf's index that are the place of its first block. Above them is the number of its triangles.
+/// Bits of a leaf's index for the place of its first block. The bits above them are the number of its triangles.
 const BLOCK_BITS: u32 = 27;
 
-/// How many triangles a thread takes at once. The order of nodes depends on it.
+/// Number of triangles that a thread takes at a time. The order of nodes depends on it.
 const CUT: u32 = 4096;
 
 /// Greatest number of triangles in a leaf that 4 bits hold.
 const MAX_COUNT: u32 = 15;
 
 impl<const A: usize, V: Precision> WideBvh<A, V> {
-    /// Greatest level of an inner node: all traversals carry so many. `[WIDE-14]`
+    /// Greatest level of an inner node: all traversals carry this many levels. `[WIDE-14]`
     pub const MAX_LEVEL: u32 = if A == 8 { 16 } else { 30 };
 
     /// Greatest number of inner nodes.
@@ -89,48 +89,49 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// Greatest number of blocks.
     pub const MAX_BLOCKS: usize = 1 << BLOCK_BITS;
 
-    /// A hierarchy of no triangles: a root without children.
+    /// Creates a hierarchy of no triangles: a root without children.
     pub fn empty() -> Self {
         let region = Region::of(&Aabb { lo: Vec3::ZERO, hi: Vec3::ZERO });
         let least = Least::default();
         Self { nodes: vec![WideNode::EMPTY], blocks: Vec::new(), region, levels: 0, triangles: 0, duplicates: 0, least }
     }
 
-    /// Inner nodes, at least the root, which is the first. A parent stands before its children.
+    /// Returns the inner nodes, at least the root, which is the first. A parent comes before its children.
     #[inline(always)]
     pub fn nodes(&self) -> &[WideNode<A>] {
         &self.nodes
     }
 
-    /// Triangles, four at a time, in the order of the leaves.
+    /// Returns the triangles, four at a time, in the order of the leaves.
     #[inline(always)]
     pub fn blocks(&self) -> &[Block<V>] {
         &self.blocks
     }
 
-    /// What a traversal reads.
+    /// Returns the data that a traversal reads.
     #[inline(always)]
     pub(crate) fn tree(&self) -> WideTree<'_, A, V> {
         WideTree { nodes: &self.nodes, blocks: &self.blocks, levels: self.levels }
     }
 
-    /// What the tests of a ray need to know of the whole.
+    /// Returns the properties of the whole hierarchy that ray tests need.
     #[inline(always)]
     pub fn region(&self) -> &Region {
         &self.region
     }
 
-    /// How many references to triangles there are beyond the first of each: 0 unless spatial splits cut some in two.
+    /// Returns the number of references to triangles beyond the first of each: 0 unless spatial splits divided some
+    /// triangles.
     pub fn duplicates(&self) -> usize {
         self.duplicates
     }
 
-    /// Memory of nodes and blocks, in bytes.
+    /// Returns the memory of nodes and blocks, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.blocks)
     }
 
-    /// Leaves and their boxes, node by node.
+    /// Returns leaves and their boxes, node by node.
     fn leaf_boxes(&self) -> impl Iterator<Item = (Node, Aabb)> {
         self.nodes.iter().flat_map(|node| {
             let slots = (0..A as u32).filter(|slot| node.leaves() >> slot & 1 == 1);
@@ -138,26 +139,26 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         })
     }
 
-    /// The blocks of a leaf, and how many triangles they hold together.
+    /// Returns the blocks of a leaf, and the number of triangles in them.
     #[inline(always)]
     pub fn leaf(&self, leaf: Node) -> (&[Block<V>], u32) {
         let (first, count) = leaf_parts(leaf);
         (&self.blocks[first..first + count.div_ceil(4) as usize], count)
     }
 
-    /// The index in the mesh of the triangle at a [place](leaf_places).
+    /// Returns the index in the mesh of the triangle at a [place](leaf_places).
     pub(crate) fn prim(&self, place: usize) -> u32 {
         self.blocks[place / 4].prims[place & 3]
     }
 
-    /// The triangle at a [place](leaf_places).
+    /// Returns the triangle at a [place](leaf_places).
     pub(crate) fn triangle(&self, place: usize) -> Triangle<V> {
         self.blocks[place / 4].triangle(place & 3)
     }
 }
 
-/// What a traversal reads of a hierarchy: a value, not a reference to one. So the compiler knows that no write of a
-/// traversal moves or shortens the slices, and the place of a node is found and checked once.
+/// The data of a hierarchy that a traversal reads: a value, not a reference. So the compiler knows that no write of a
+/// traversal moves or shortens the slices, and a node's place is computed and checked once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WideTree<'a, const A: usize = 8, V: Precision = Vec3> {
     pub(crate) nodes: &'a [WideNode<A>],
@@ -166,7 +167,7 @@ pub(crate) struct WideTree<'a, const A: usize = 8, V: Precision = Vec3> {
 }
 
 impl<'a, const A: usize, V: Precision> WideTree<'a, A, V> {
-    /// The blocks from a leaf's first one on, and how many triangles of these are the leaf's.
+    /// Returns the blocks from a leaf's first block on, and the number of the leaf's triangles.
     #[inline(always)]
     pub(crate) fn leaf(&self, leaf: Node) -> (&'a [Block<V>], u32) {
         let (first, count) = leaf_parts(leaf);
@@ -240,47 +241,47 @@ impl<const A: usize, V: Precision> Topology<A> for WideBvh<A, V> {
 }
 
 impl<const A: usize> WideNode<A> {
-    /// Without children.
+    /// A node without children.
     pub const EMPTY: Self =
         Self { planes: [[[f32::INFINITY; A], [f32::NEG_INFINITY; A]]; 3], children: [0; A], ancestors: [0; A] };
 
-    /// The child in a slot; the root's address where the slot is empty.
+    /// Returns the child in a slot; the root's address if the slot is empty.
     #[inline(always)]
     pub fn child(&self, slot: u32) -> Node {
         Node::from_bits(self.children[slot as usize & (A - 1)])
     }
 
-    /// Whether a slot holds a child.
+    /// Returns whether a slot holds a child.
     #[inline(always)]
     pub fn has_child(&self, slot: u32) -> bool {
         self.children[slot as usize & (A - 1)] != 0
     }
 
-    /// Whether a slot holds an inner node.
+    /// Returns whether a slot holds an inner node.
     #[inline(always)]
     pub fn has_inner(&self, slot: u32) -> bool {
         self.has_child(slot) && !self.child(slot).is_leaf()
     }
 
-    /// The slots that hold leaves.
+    /// Returns the slots that hold leaves.
     #[inline(always)]
     pub fn leaves(&self) -> u32 {
         self.ancestors[0] >> ANCESTOR_BITS
     }
 
-    /// One of the `A` nearest ancestors: 1 for the parent, and so on.
+    /// Returns one of the `A` nearest ancestors: 1 for the parent, and so on.
     #[inline(always)]
     pub fn ancestor(&self, levels: u32) -> Node {
         Node::inner(self.ancestors[levels.wrapping_sub(1) as usize & (A - 1)] & ((1 << ANCESTOR_BITS) - 1))
     }
 
-    /// The box in a slot.
+    /// Returns the box in a slot.
     pub fn child_box(&self, slot: u32) -> Aabb {
         let at = |side: usize| Vec3::from_array([0, 1, 2].map(|axis| self.planes[axis][side][slot as usize & (A - 1)]));
         Aabb { lo: at(0), hi: at(1) }
     }
 
-    /// The box around all children.
+    /// Returns the box around all children.
     fn aabb(&self) -> Aabb {
         (0..A as u32).map(|slot| self.child_box(slot)).fold(Aabb::EMPTY, Aabb::union)
     }
@@ -292,21 +293,21 @@ impl<const A: usize> WideNode<A> {
     }
 }
 
-/// The place of a leaf's first block, and how many triangles it holds.
+/// Returns the place of a leaf's first block, and the number of its triangles.
 #[inline(always)]
 fn leaf_parts(leaf: Node) -> (usize, u32) {
     let index = leaf.index() as u32;
     ((index & ((1 << BLOCK_BITS) - 1)) as usize, index >> BLOCK_BITS & MAX_COUNT)
 }
 
-/// The places of a leaf's triangles: of each four times that of its block, and its lane.
+/// Returns the places of a leaf's triangles: four times the block's index, plus the lane.
 pub(crate) fn leaf_places(leaf: Node) -> Range<usize> {
     let (first, count) = leaf_parts(leaf);
     4 * first..4 * first + count as usize
 }
 
-/// Writes what records say beside boxes and children, with these indices for their own. Of a child that does not come after
-/// its parent nothing is written.
+/// Writes the ancestors and leaf sets of records, with `name` for their indices. It skips a child that does not come
+/// after its parent.
 fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>], name: impl Fn(usize) -> u32) {
     for index in 0..nodes.len() {
         for slot in 0..A as u32 {
@@ -320,7 +321,7 @@ fn name_ancestors<const A: usize>(nodes: &mut [WideNode<A>], name: impl Fn(usize
             } else if child.index() > index
                 && let Some(below) = nodes.get_mut(child.index())
             {
-                // Its own leaves are not known yet: its turn comes later.
+                // Its own leaves are not known yet; they follow in its iteration.
                 below.ancestors[0] = name(index);
                 for (own, above) in below.ancestors[1..].iter_mut().zip(above) {
                     *own = above & ((1 << ANCESTOR_BITS) - 1);

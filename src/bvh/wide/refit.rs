@@ -1,4 +1,4 @@
-//! After vertices have moved: new boxes, and better places for subtrees.
+//! Updates after vertices have moved: new boxes, and better places for subtrees.
 
 use super::{WideBvh, WideError, collapse, leaf_places};
 use crate::bvh::least::Least;
@@ -8,14 +8,15 @@ use crate::geom::{Aabb, Frame, Mesh, Region, Triangle, check_environment};
 use crate::threads;
 use crate::tree::Node;
 
-/// Nodes or blocks that a thread takes at once.
+/// Nodes or blocks that a thread takes at a time.
 const CHUNK: usize = 1 << 10;
 
 impl<const A: usize, V: Precision> WideBvh<A, V> {
-    /// Takes on a mesh of as many triangles, and the smallest boxes that hold them, in the same tree.
+    /// Replaces the triangles by those of a mesh with the same number, and computes the smallest boxes that contain
+    /// them, in the same tree.
     ///
-    /// Where spatial splits cut triangles in two, each of their leaves now holds them whole. Queries stay right, and
-    /// get slower the more the triangles move relative to each other.
+    /// If spatial splits divided triangles, each of their leaves now holds them whole. Queries stay correct, and get
+    /// slower the more the triangles move relative to each other.
     ///
     /// ```
     /// use stackless_bvh::{bvh::{Bvh, WideBvh}, generate::procedural, geom::Mesh};
@@ -30,7 +31,7 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// ```
     ///
     /// # Errors
-    /// What [`RefitError`] lists, but for [`RefitError::NoBox`]; then nothing has changed.
+    /// [`RefitError`], except [`RefitError::NoBox`]; then nothing has changed.
     pub fn refit(&mut self, mesh: &Mesh<V>) -> Result<(), RefitError> {
         check_environment()?;
         let (found, expected) = (mesh.triangles().len(), self.triangles);
@@ -72,10 +73,11 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         Ok(())
     }
 
-    /// Moves subtrees to better places, where triangles that have moved spoilt the tree: all nodes are made anew over the
-    /// same leaves, by the steps of a [build](crate::bvh::BuildOptions::build_wide), in a quarter of its time. `[BUILD-7]`
+    /// Moves subtrees to better places, after moved triangles have made the tree worse: all nodes are rebuilt over the
+    /// same leaves, by the steps of a [build](crate::bvh::BuildOptions::build_wide), in a quarter of its time.
+    /// `[BUILD-7]`
     ///
-    /// Leaves stay as they are: after triangles of one leaf have gone different ways, only a build helps.
+    /// Leaves do not change: if triangles of one leaf have moved apart, only a new build helps.
     ///
     /// ```
     /// use stackless_bvh::{bvh::WideBvh, generate::procedural, geom::Mesh};
@@ -91,7 +93,7 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     /// ```
     ///
     /// # Errors
-    /// What [`WideError`] lists but for options; then nothing has changed.
+    /// [`WideError`], except those of options; then nothing has changed.
     pub fn optimize(&mut self) -> Result<(), WideError> {
         if self.blocks.is_empty() {
             return Ok(());

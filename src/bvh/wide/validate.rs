@@ -1,4 +1,4 @@
-//! Whether a wide hierarchy is sound, and that of a mesh.
+//! Validation of wide hierarchies.
 
 use std::ops::Range;
 
@@ -8,10 +8,10 @@ use crate::geom::lanes::{Block, Precision};
 use crate::geom::{Aabb, Mesh, Region, Triangle};
 use crate::tree::Node;
 
-/// What is wrong with a wide hierarchy, and where: the index of an inner node, and a slot.
+/// Errors of [`WideBvh::validate`], with their location: the index of an inner node, and a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WideBvhError {
-    /// There is no root, or there are more nodes or blocks than can be named.
+    /// There is no root, or there are more nodes or blocks than addresses can represent.
     #[error("{nodes} nodes and {blocks} blocks cannot be addressed")]
     Size {
         /// Number of inner nodes.
@@ -19,7 +19,7 @@ pub enum WideBvhError {
         /// Number of blocks.
         blocks: usize,
     },
-    /// A child is not there, or does not come after its parent, or is reached twice.
+    /// A child does not exist, does not come after its parent, or is reached twice.
     #[error("node {node}, slot {slot}: {child:?} is no child of it alone")]
     Child {
         /// The inner node.
@@ -38,7 +38,7 @@ pub enum WideBvhError {
     /// A block is in no leaf.
     #[error("block {0} is in no leaf")]
     UnreachedBlock(usize),
-    /// An empty slot has a box that might be met.
+    /// An empty slot has a box that a ray might meet.
     #[error("node {node}, slot {slot}: a box without a child")]
     EmptySlot {
         /// The inner node.
@@ -54,7 +54,7 @@ pub enum WideBvhError {
         /// The slot.
         slot: u32,
     },
-    /// A box of a child sticks out of the node's own box.
+    /// A box of a child extends beyond the node's own box.
     #[error("node {node}, slot {slot}: the box is not inside the node's")]
     Nesting {
         /// The inner node.
@@ -62,10 +62,10 @@ pub enum WideBvhError {
         /// The slot.
         slot: u32,
     },
-    /// A node names other ancestors than its own.
+    /// A node's ancestors are wrong.
     #[error("node {0} names other ancestors than its own")]
     Ancestors(usize),
-    /// A node's set of slots that hold leaves is another one.
+    /// A node's set of slots with leaves is wrong.
     #[error("node {0} has its leaves in other slots than it says")]
     Leaves(usize),
     /// A leaf holds no triangle.
@@ -76,7 +76,7 @@ pub enum WideBvhError {
         /// The slot.
         slot: u32,
     },
-    /// A leaf's triangle is not one of the mesh: there are not so many, or it has other corners.
+    /// A leaf's triangle is not one of the mesh: its index is out of range, or its corners differ.
     #[error("node {node}, slot {slot}: triangle {prim} is not that of the mesh")]
     Triangle {
         /// The inner node.
@@ -127,37 +127,37 @@ pub enum WideBvhError {
         /// Index in the mesh.
         prim: u32,
     },
-    /// A triangle sticks out of the boxes of all leaves that hold it together.
+    /// The boxes of all leaves that hold a triangle do not cover it together.
     #[error("triangle {0} is not covered by the boxes of its leaves")]
     Uncovered(u32),
     /// A triangle of the mesh that can be hit is in no leaf.
     #[error("triangle {0} is in no leaf")]
     Missing(u32),
-    /// The hierarchy was made over another number of triangles.
+    /// The hierarchy was built over another number of triangles.
     #[error("made over {stored} triangles, not {found}")]
     Triangles {
-        /// What the hierarchy says.
+        /// The number in the hierarchy.
         stored: usize,
         /// Triangles of the mesh.
         found: usize,
     },
-    /// The stated number of references beyond the first to each triangle is another one.
+    /// The stored number of references beyond the first to each triangle is wrong.
     #[error("{found} references are to triangles of other leaves, not {stored}")]
     Duplicates {
-        /// What the hierarchy says.
+        /// The number in the hierarchy.
         stored: usize,
-        /// What was found.
+        /// The actual number.
         found: usize,
     },
-    /// The stated level of the deepest inner node is another one, or above the limit.
+    /// The stored level of the deepest inner node is wrong, or above the limit.
     #[error("the deepest inner node is at level {found}, not {stored}")]
     Levels {
-        /// What the hierarchy says.
+        /// The number in the hierarchy.
         stored: u32,
-        /// What was found.
+        /// The actual number.
         found: u32,
     },
-    /// The region does not hold all triangles.
+    /// The region does not contain all triangles.
     #[error("the region does not hold all triangles")]
     Region,
 }
@@ -166,20 +166,19 @@ pub enum WideBvhError {
 type Reference = (u32, u32, u32, usize);
 
 impl<const A: usize, V: Precision> WideBvh<A, V> {
-    /// Checks that the hierarchy is sound in itself and holds each triangle of the mesh (degenerate ones need not be
-    /// there).
+    /// Checks that the hierarchy is sound and holds each triangle of the mesh (degenerate triangles may be missing).
     ///
-    /// Sound are boxes that nest, each node and each block reached once, ancestors and sets of leaves that are right,
-    /// the level that is stated, lanes that are empty beyond the triangles of a leaf, and triangles that are covered by
-    /// the boxes of the leaves that hold them: as a whole by one of them or, in exact arithmetic, by all together.
+    /// A sound hierarchy has nested boxes, reaches each node and each block once, and has correct ancestors, correct
+    /// sets of leaves and the stated level. Lanes beyond the triangles of a leaf are empty. The boxes of the leaves
+    /// that hold a triangle cover it: one of them covers all of it or, in exact arithmetic, all of them together do.
     ///
     /// # Errors
-    /// Of the nodes the first fault found; else that of the first triangle.
+    /// The first node error; otherwise the error of the first triangle.
     pub fn validate(&self, mesh: &Mesh<V>) -> Result<(), WideBvhError> {
         self.check(Some(mesh))
     }
 
-    /// The same; without a mesh, that the hierarchy is sound in itself.
+    /// Checks the hierarchy, or without a mesh only that it is sound.
     pub(super) fn check(&self, mesh: Option<&Mesh<V>>) -> Result<(), WideBvhError> {
         let (nodes, blocks) = (self.nodes.len(), self.blocks.len());
         if nodes == 0 || nodes > Self::MAX_NODES || blocks > Self::MAX_BLOCKS {
@@ -230,18 +229,18 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     }
 }
 
-/// Whether no ray can hit any of these triangles.
+/// Checks that no ray can hit any of these triangles.
 fn check_left_out<V: Precision>(mesh: Option<&Mesh<V>>, prims: Range<u32>) -> Result<(), WideBvhError> {
     let Some(mesh) = mesh else { return Ok(()) };
     let can_be_hit = |&prim: &u32| !Triangle(mesh.triangle(prim as usize)).is_degenerate();
     prims.into_iter().find(can_be_hit).map_or(Ok(()), |prim| Err(WideBvhError::Missing(prim)))
 }
 
-/// How far the check of nodes has come. A child comes after its parent, so one pass in order sees all.
+/// The state of the check of nodes. A child comes after its parent, so one pass in order reaches all nodes.
 struct Walk<'a, V: Precision, const A: usize> {
     wide: &'a WideBvh<A, V>,
     mesh: Option<&'a Mesh<V>>,
-    /// Of each node that was reached its own box and its level.
+    /// For each reached node, its own box and its level.
     reached: Vec<Option<(Aabb, u32)>>,
     in_leaf: Vec<bool>,
     references: Vec<Reference>,

@@ -5,12 +5,11 @@ use glam::Vec3;
 use crate::generate::draw::Draw;
 use crate::geom::{Aabb, Mesh, Ray};
 
-/// `n` rays for a mesh, ordinary and awkward kinds in turn; fewer where coordinates overflow.
+/// Returns `n` rays for a mesh, of ordinary and difficult kinds; fewer if coordinates overflow.
 ///
-/// In turn: a camera's primary rays, row by row; rays through the box of the mesh; rays at a vertex and at the middle
-/// of an edge; rays along an axis, with zeros of either sign; rays that start on a plane of a box; rays with
-/// `tmin > 0` and a finite `tmax`, some of them exactly as long as it takes to a vertex; rays that start on a
-/// triangle.
+/// The kinds alternate: a camera's primary rays, row by row; rays through the box of the mesh; rays at a vertex and at
+/// the middle of an edge; rays along an axis, with zeros of either sign; rays that start on a plane of a box; rays with
+/// `tmin > 0` and a finite `tmax`, some of which end exactly at a vertex; rays that start on a triangle.
 pub fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Draw::new(seed) };
     if mesh.triangles().is_empty() {
@@ -20,7 +19,7 @@ pub fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     (0..n).filter_map(|i| source.ray(i % KINDS, i / KINDS, &camera)).collect()
 }
 
-/// `n` primary rays of a camera that looks at the whole mesh from outside, row by row.
+/// Returns `n` primary rays of a camera that looks at the whole mesh from outside, row by row.
 pub fn camera_rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     let mut source = Source { mesh, bounds: Aabb::of(mesh.vertices()), random: Draw::new(seed) };
     let camera = source.camera(n);
@@ -93,7 +92,7 @@ impl Source<'_> {
         Ray::within(origin, direction, tmin, tmax).ok()
     }
 
-    /// Looks at the whole mesh from a corner of its surroundings, with `pixels` pixels.
+    /// Returns a camera that looks at the whole mesh from a corner of its surroundings, with `pixels` pixels.
     fn camera(&mut self, pixels: usize) -> Camera {
         let eye = self.bounds.centroid() + self.random.direction() * (0.75 * self.size());
         let forward = (self.bounds.centroid() - eye).try_normalize().unwrap_or(Vec3::X);
@@ -102,7 +101,7 @@ impl Source<'_> {
         Camera { eye, forward, right: right * 0.5, up: forward.cross(right) * 0.5, width }
     }
 
-    /// Length of the diagonal; 1 for a single point.
+    /// Returns the length of the diagonal; 1 for a single point.
     fn size(&self) -> f32 {
         let size = self.bounds.extent().length();
         if size > 0.0 { size } else { 1.0 }
@@ -112,7 +111,7 @@ impl Source<'_> {
         self.bounds.lo + self.bounds.extent() * self.random.cube()
     }
 
-    /// A point in a cube twice as wide as the diagonal.
+    /// Returns a point in a cube twice as wide as the diagonal.
     fn around(&mut self) -> Vec3 {
         self.bounds.centroid() + (self.random.cube() * 2.0 - 1.0) * self.size()
     }
@@ -127,7 +126,7 @@ impl Source<'_> {
         self.corners()[0]
     }
 
-    /// A corner of the whole box or of a triangle's.
+    /// Returns a corner of the whole box or of a triangle's box.
     fn plane(&mut self) -> Vec3 {
         let aabb = if self.random.below(2) == 0 { self.bounds } else { Aabb::of(&self.corners()) };
         if self.random.below(2) == 0 { aabb.lo } else { aabb.hi }

@@ -1,4 +1,4 @@
-//! Where a camera stands, and its rays.
+//! A camera and its rays.
 
 use glam::{DVec3, Vec3};
 
@@ -7,26 +7,26 @@ use crate::geom::{Aabb, Mesh, Ray};
 /// A pinhole camera with a square image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Where it stands.
+    /// Its position.
     pub eye: Vec3,
-    /// What is in the middle of its image.
+    /// The point in the middle of its image.
     pub target: Vec3,
-    /// What is up there; any length, not along the view.
+    /// The up direction of the image; any length, not along the view.
     pub up: Vec3,
     /// Field of view from the lower to the upper edge of the image, in degrees.
     pub degrees: f32,
 }
 
-/// From where a scene is seen that nobody has chosen a view for (y is up), and how wide.
+/// The default direction to the eye from a scene (y is up).
 const FROM: DVec3 = DVec3::new(0.5, 0.4, 1.0);
 const DEGREES: f32 = 40.0;
 
-/// The part of the image, from the middle to the edges, that such a scene fills.
+/// The part of the image, from the middle to the edges, that a scene fills by default.
 const FILLED: f64 = 0.96;
 
 impl View {
-    /// The view of a whole scene, from the front, the right and above: as near as all of its triangles are in the image.
-    /// Interiors are seen from outside so; they need a view of their own.
+    /// Returns the view of a whole scene, from the front, the right and above, at the least distance at which all of
+    /// its triangles are in the image. It shows interiors from outside; they need a custom view.
     ///
     /// ```
     /// use stackless_bvh::generate::procedural::{self, View};
@@ -37,7 +37,8 @@ impl View {
         let corners = || (0..mesh.triangles().len()).flat_map(|i| mesh.triangle(i));
         let target = corners().fold(Aabb::EMPTY, Aabb::grow).centroid();
         let mut view = Self { eye: target + FROM.as_vec3(), target, up: Vec3::Y, degrees: DEGREES };
-        // As the target may be so far out that adding to it is rounded away, the axes are those of a view at the origin.
+        // The target may be so far away that a sum with it loses the offset. So the axes are those of a view at the
+        // origin.
         let [forward, right, up] = Self { eye: FROM.as_vec3(), target: Vec3::ZERO, ..view }.frame();
         // A point is in the image if |x - eye| is at most slope (z - eye), along both edges: a bound on the eye for each.
         let slope = view.tangent() * FILLED;
@@ -60,35 +61,35 @@ impl View {
         view
     }
 
-    /// `n` primary rays through a square of pixels, row by row from the upper left; fewer where coordinates overflow.
-    /// Directions are as long as the distance to the plane of the target needs.
+    /// Returns `n` primary rays through a square of pixels, row by row from the upper left; fewer if coordinates
+    /// overflow. Directions end in the plane of the target.
     pub fn rays(&self, n: usize) -> Vec<Ray> {
         (0..n).filter_map(|i| self.ray_of(i, n)).collect()
     }
 
-    /// Ray `i` of `n` [`rays`](Self::rays). `None` where coordinates overflow.
+    /// Returns ray `i` of `n` [`rays`](Self::rays). `None` if coordinates overflow.
     pub fn ray_of(&self, i: usize, n: usize) -> Option<Ray> {
         let width = (n as f64).sqrt().ceil();
         let [x, y] = [i as f64 % width, (i as f64 / width).floor()].map(|i| 2.0 * (i + 0.5) / width - 1.0);
         self.ray(x, -y)
     }
 
-    /// The primary ray through a place of the image: from -1 at the left and lower edges to 1 at the right and upper
-    /// ones, and beyond in a wider image. `None` where coordinates overflow.
+    /// Returns the primary ray through a position in the image: from -1 at the left and lower edges to 1 at the right
+    /// and upper edges, and beyond in a wider image. `None` if coordinates overflow.
     pub fn ray(&self, x: f64, y: f64) -> Option<Ray> {
         let [forward, right, up] = self.frame();
         let direction = forward + (right * x + up * y) * self.tangent();
         Ray::new(self.eye, direction.as_vec3()).ok()
     }
 
-    /// Forward, right and up: of unit length and across each other.
+    /// Returns forward, right and up: orthogonal vectors of unit length.
     fn frame(&self) -> [DVec3; 3] {
         let forward = (self.target.as_dvec3() - self.eye.as_dvec3()).try_normalize().unwrap_or(DVec3::NEG_Z);
         let right = forward.cross(self.up.as_dvec3()).try_normalize().unwrap_or(forward.any_orthonormal_vector());
         [forward, right, right.cross(forward)]
     }
 
-    /// Half of the image's height at a distance of 1.
+    /// Returns half of the image's height at a distance of 1.
     fn tangent(&self) -> f64 {
         (f64::from(self.degrees) * 0.5).to_radians().tan()
     }
@@ -100,7 +101,7 @@ mod tests {
     use super::*;
     use crate::generate::stress::icosphere;
 
-    /// Where a point is in the image, from -1 to 1, if it is in front of the camera.
+    /// Returns the position of a point in the image, from -1 to 1, if it is in front of the camera.
     fn project(view: &View, point: Vec3) -> Option<[f64; 2]> {
         let ([forward, right, up], v) = (view.frame(), point.as_dvec3() - view.eye.as_dvec3());
         let depth = forward.dot(v) * view.tangent();

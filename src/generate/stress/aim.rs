@@ -1,20 +1,20 @@
-//! Rays that are aimed at what rounding gets wrong.
+//! Rays that aim at rounding errors.
 
 use glam::Vec3;
 
 use crate::generate::draw::{Draw, exp2, nudge, one_of};
 use crate::geom::{Aabb, Mesh, Ray};
 
-/// `n` adversarial rays for any mesh, the same for the same seed.
+/// Returns `n` adversarial rays for any mesh, the same for the same seed.
 ///
-/// In turn: at a corner, at the middle of an edge, at another point of an edge, at a point inside; along an axis
-/// through a corner or a middle, with zeros of either sign; from a rounded point of the surface; within the plane of
-/// a triangle, or an ulp out of it; from a plane of a box, along that plane; with a direction of extreme length, or
-/// with components that are zero or next to it; along an edge; from a corner or an edge; with a normalised direction
-/// at an edge; and up to exactly a corner or from it on (`tmin` or `tmax` at 1 or an ulp beside it).
+/// The kinds alternate: at a corner, at the middle of an edge, at another point of an edge, at a point inside; along an
+/// axis through a corner or a middle, with zeros of either sign; from a rounded point of the surface; within the plane
+/// of a triangle, or an ulp out of it; from a plane of a box, along that plane; with a direction of extreme length, or
+/// with components that are zero or close to it; along an edge; from a corner or an edge; with a normalised direction
+/// at an edge; and up to exactly a corner or from it on (`tmin` or `tmax` at 1 or an ulp from it).
 ///
-/// Origins are around and inside the mesh. Where coordinates are so great that differences overflow, a kind of ray
-/// is tried again some times before it is left out, so there may be fewer than `n`.
+/// Origins are around and inside the mesh. If coordinates are so great that differences overflow, a kind of ray is
+/// tried several times before it is skipped, so there may be fewer than `n`.
 ///
 /// ```
 /// use stackless_bvh::generate::{procedural, stress};

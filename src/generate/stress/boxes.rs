@@ -1,4 +1,4 @@
-//! What slab tests get wrong: planes through the origin, flat boxes, directions next to zero.
+//! Hard cases for slab tests: planes through the origin, flat boxes, directions close to zero.
 
 use glam::Vec3;
 
@@ -148,7 +148,7 @@ fn at_zeros(draw: &mut Draw, _: &Target<'_>, _: usize) -> Option<Ray> {
     whole(signed(draw, origin), signed(draw, direction))
 }
 
-/// One axis in subnormal units, the others whole.
+/// One axis in subnormal units, the other axes in integers.
 fn subnormal(draw: &mut Draw) -> Option<Mesh> {
     triangles(draw, 200, |draw| [(); 3].map(|()| draw.ints(64) * Vec3::new(exp2(-149), 1.0, 1.0)))
 }
@@ -159,7 +159,7 @@ fn subnormal_ray(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> 
     whole(point - direction * one_of([0.0, 1.0, 8.0, 32.0], draw), direction)
 }
 
-/// Boxes whose planes are 2^-116 apart on one axis, about 1e-35, and thousands on the others.
+/// Boxes whose planes are 2^-116 apart on one axis, about 1e-35, and thousands on the other axes.
 fn gap(draw: &mut Draw) -> Option<Mesh> {
     triangles(draw, 200, |draw| [(); 3].map(|()| draw.ints(16) * Vec3::new(1024.0, exp2(-116), 1024.0)))
 }
@@ -185,7 +185,7 @@ fn at_corner(draw: &mut Draw, target: &Target<'_>, i: usize) -> Option<Ray> {
     whole(corner - direction * steps, direction)
 }
 
-/// Planks that stand on their upper left edge, which is an edge of their box.
+/// Planks on their upper left edge, which is an edge of their box.
 fn wedges(draw: &mut Draw) -> Option<Mesh> {
     triangles(draw, 200, |draw| {
         let [x, y] = [draw.between(1.0, 4.0), draw.between(1.0, 4.0)];

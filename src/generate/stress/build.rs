@@ -10,14 +10,14 @@ pub(super) fn triangles(draw: &mut Draw, n: usize, mut corners: impl FnMut(&mut 
     of((0..n).map(|_| corners(draw)))
 }
 
-/// These triangles, each with corners of its own.
+/// These triangles, each with separate corners.
 pub(super) fn of(triangles: impl IntoIterator<Item = [Vec3; 3]>) -> Option<Mesh> {
     let vertices: Vec<_> = triangles.into_iter().flatten().collect();
     let triangles = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Mesh::new(vertices, triangles).ok()
 }
 
-/// The triangles of both, those of `a` first.
+/// The triangles of both meshes, those of `a` first.
 pub(super) fn both(a: &Mesh, b: &Mesh) -> Option<Mesh> {
     let first = a.vertices().len() as u32;
     let moved = b.triangles().iter().map(|corners| corners.map(|corner| corner + first));

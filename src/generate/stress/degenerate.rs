@@ -1,4 +1,4 @@
-//! Triangles without area, and those that have next to none.
+//! Triangles without area, or with almost no area.
 
 use glam::Vec3;
 

@@ -87,7 +87,7 @@ fn beside_vertex_from_0(draw: &mut Draw, target: &Target<'_>, i: usize) -> Optio
     Ray::within(ray.origin(), direction, ray.tmin() * (1.0 - exp2(-16)), ray.tmax()).ok()
 }
 
-/// A ray to the point that is so many times as fast, from where all products are exact.
+/// A ray to the point with `speed` times the direction, from an origin for which all products are exact.
 fn in_fraction(draw: &mut Draw, point: Vec3, speed: f32) -> (Vec3, Vec3) {
     let away = draw.ints(MOST) * 2.0;
     // At most 24 bits: 2^20 times 7, and the origin is within 2^21 + 2^20.

@@ -1,4 +1,4 @@
-//! The inverse of a matrix, and what it makes of rays that are known within bounds.
+//! The inverse of a matrix, applied to rays that are known within bounds.
 
 use std::ops::RangeInclusive;
 
@@ -9,11 +9,11 @@ use crate::geom::{EnclosedRay, Frame, Interval};
 /// The inverse of a matrix of floats. Its entries are rational numbers. `[INST-3]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Inverse {
-    /// Each row has one entry that is not 0, and that is a power of two or the negative of one.
+    /// Each row has one entry that is not 0, which is a power of two or its negative.
     Turned([Turn; 3]),
-    /// The doubles nearest to the entries, if these are 0 or of usual size.
+    /// The doubles nearest to the entries, if these are 0 or within the range.
     Nearest([[f64; 3]; 3]),
-    /// Bounds of the entries, each as narrow as can be: they are doubles, or huge or tiny.
+    /// Bounds of the entries, each as narrow as possible: the entries are doubles, or huge or tiny.
     Bounded([[Interval; 3]; 3]),
 }
 
@@ -25,17 +25,17 @@ pub(super) struct Turn {
     is_negative: bool,
 }
 
-/// So much of a component may be its share of the error of a row, times the entry: u for the entry, u for the
-/// component, 3u for a sum of three products, and u for the ends. `[INST-3]`
+/// The share of a component in the error of a row, over the entry: u for the entry, u for the component, 3u for a sum
+/// of three products, and u for the ends. `[INST-3]`
 const OFF: f64 = 8.0 * (f64::EPSILON / 2.0);
 
-/// What a radius is multiplied by, as the evaluation of bounds may lose so much. `[INST-3]`
+/// The factor of a radius, which covers the loss of evaluating bounds. `[INST-3]`
 const WIDER: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 /// Entries other than 0 in [`Inverse::Nearest`].
 const USUAL_ENTRIES: RangeInclusive<f64> = power_of_two(-500)..=power_of_two(500);
 
-/// What a component other than 0 may be off by, there.
+/// The error of a component other than 0, in [`Inverse::Nearest`].
 const USUAL_ERRORS: RangeInclusive<f64> = power_of_two(-400)..=power_of_two(400);
 
 impl Inverse {
@@ -53,7 +53,7 @@ impl Inverse {
         if is_exact || !is_usual { Self::Bounded(bounds) } else { Self::Nearest(nearest) }
     }
 
-    /// Bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds.
+    /// Returns bounds of A^-1 (o - b) and A^-1 d for all o and d within the bounds.
     #[inline]
     pub(super) fn pull_back(&self, ray: &EnclosedRay, offset: [f64; 3]) -> EnclosedRay {
         match self {
@@ -75,7 +75,7 @@ impl Turn {
         Self { column, exponent: 0, is_negative: false }
     }
 
-    /// That of a row, if it has no other entry.
+    /// Returns the entry of a row, if it has no other entry.
     fn of_row(row: [Interval; 3]) -> Option<Self> {
         let column = row.iter().position(|x| !x.is_zero())?;
         let [x, last] = row[column].ends();
@@ -85,7 +85,7 @@ impl Turn {
         (is_power && is_alone).then_some(Self { column, exponent, is_negative: x < 0.0 })
     }
 
-    /// The row times a vector.
+    /// Multiplies the row by a vector.
     #[inline]
     fn of(self, v: [Interval; 3]) -> Interval {
         let x = v[self.column].scaled(self.exponent);
@@ -93,8 +93,8 @@ impl Turn {
     }
 }
 
-/// By rows of the nearest doubles, minus an offset; `None` where something may over- or underflow. What is certainly 0
-/// stays so. `[INST-3]`
+/// Multiplies by rows of the nearest doubles, minus an offset; `None` if a number may over- or underflow. A component
+/// that is certainly 0 stays 0. `[INST-3]`
 #[inline]
 fn within(rows: &[[f64; 3]; 3], v: [Interval; 3], offset: [f64; 3]) -> Option<[Interval; 3]> {
     let (mut middle, mut off, mut is_usual) = ([0.0; 3], [0.0; 3], true);
@@ -124,7 +124,7 @@ fn solve(ray: &EnclosedRay, offset: [f64; 3], by: impl Fn([Interval; 3]) -> [Int
     EnclosedRay { origin: by([x - a, y - b, z - c]), direction: by(ray.direction), ..*ray }
 }
 
-/// The number to which a double other than 0 is the nearest; 0 is the number itself.
+/// Returns bounds of the numbers whose nearest double is this one; 0 is exact.
 fn around_nearest(x: f64) -> Interval {
     if x == 0.0 { Interval::exact(0.0) } else { Interval::between([x.next_down(), x.next_up()]) }
 }

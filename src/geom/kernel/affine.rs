@@ -9,7 +9,7 @@ use crate::geom::{Ray, Region, Triangle};
 #[derive(Clone, Copy, Debug)]
 pub struct Affine(Ray);
 
-/// A triangle by the plane that it lies in and two planes through its edges, which give the weights of two corners.
+/// A triangle as its plane and two planes through its edges, which give the weights of two corners.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct AffineTriangle {
@@ -26,7 +26,7 @@ struct Plane {
 }
 
 impl From<Triangle> for AffineTriangle {
-    /// Calculated in double precision. A degenerate triangle becomes planes that nothing meets.
+    /// Computed in double precision. A degenerate triangle becomes planes that no ray meets.
     fn from(triangle: Triangle) -> Self {
         let [v0, v1, v2] = triangle.widen();
         let (e1, e2) = (v1 - v0, v2 - v0);
@@ -41,7 +41,7 @@ impl From<Triangle> for AffineTriangle {
 }
 
 impl AffineTriangle {
-    /// Determinant, and distance and weights times it.
+    /// Returns the determinant, and distance and weights times it.
     #[inline(always)]
     fn meet(&self, ray: &Ray) -> [f32; 4] {
         let det = self.plane.normal.dot(ray.direction());

@@ -18,7 +18,7 @@ pub struct Moller64 {
     tmax: f64,
 }
 
-/// Both precisions differ in nothing but their types.
+/// The two precisions differ only in their types.
 macro_rules! moller {
     ($corners:expr, $origin:expr, $direction:expr) => {{
         let [v0, v1, v2] = $corners;

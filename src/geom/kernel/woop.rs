@@ -5,19 +5,19 @@ use glam::{DVec2, Vec3};
 use super::Kernel;
 use crate::geom::{Ray, Region, Triangle};
 
-/// The watertight test: corners are sheared so that the ray runs along an axis, and the signs of the three edges are
-/// those of differences of two products. An edge that two triangles share gives both the same numbers, so that no ray
-/// slips between them; which of the two is hit, and where, is not exact.
+/// The watertight test: corners are sheared into a space where the ray runs along an axis, and the signs of the three
+/// edges are those of differences of two products. A shared edge gives both triangles the same numbers, so no ray slips
+/// between them. The choice of the hit triangle and its distance are not exact.
 #[derive(Clone, Copy, Debug)]
 pub struct Woop {
     ray: Ray,
-    /// Axes after the renaming: the last is that of the greatest component of the direction.
+    /// Permuted axes: the last is that of the greatest component of the direction.
     axes: [usize; 3],
     shear: Vec3,
 }
 
 impl Woop {
-    /// Corners as the ray sees them, and the three edge functions.
+    /// Returns the corners in the space of the ray, and the three edge functions.
     #[inline(always)]
     fn edges(&self, corners: &[Vec3; 3]) -> ([f32; 3], [f32; 3]) {
         let [x, y, z] = self.axes;
@@ -49,7 +49,7 @@ impl Kernel for Woop {
         let d = ray.direction();
         let z = d.abs().max_position();
         let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-        // Winding stays as it was.
+        // Winding does not change.
         let [x, y] = if d[z] < 0.0 { [y, x] } else { [x, y] };
         Self { ray: *ray, axes: [x, y, z], shear: Vec3::new(d[x] / d[z], d[y] / d[z], 1.0 / d[z]) }
     }

@@ -1,4 +1,4 @@
-//! Four triangles, side by side.
+//! Blocks of four triangles.
 
 use fearless_simd::{Simd, SimdBase, f32x4};
 use glam::Vec3;
@@ -11,7 +11,7 @@ use crate::geom::{Real as _, Triangle};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C, align(16))]
 pub struct Block<V: Precision = Vec3> {
-    /// Of each corner, for each axis, the coordinates in the four lanes.
+    /// For each corner and each axis, the coordinates in the four lanes.
     pub corners: [[[V::Real; 4]; 3]; 3],
     /// The greatest component of the two edges from the first corner, rounded, and not below
     /// [`MIN_EDGE`](Precision::MIN_EDGE).
@@ -21,13 +21,14 @@ pub struct Block<V: Precision = Vec3> {
 }
 
 impl Block {
-    /// The index of a lane without a triangle. No mesh has so many.
+    /// The index of a lane without a triangle. No mesh has this index.
     pub const NONE: u32 = u32::MAX;
 
-    /// Four triangles, without their indices, by a few instructions: for whoever filters triangles that are not in blocks.
+    /// Creates a block of four triangles, without their indices, in a few instructions: to filter triangles that are
+    /// not in blocks.
     #[inline(always)]
     pub fn of<S: Simd>(simd: S, triangles: [&Triangle; 4]) -> Self {
-        // Array by array: `map` is a function of its own, which is not inlined here.
+        // Array by array: `map` is a separate function, which is not inlined here.
         let (v0, v1, v2) =
             (transposed(simd, triangles, 0), transposed(simd, triangles, 1), transposed(simd, triangles, 2));
         let longest = greatest(&minus(&v1, &v0)).max(greatest(&minus(&v2, &v0))).max(f32x4::splat(simd, MIN_EDGE));
@@ -36,7 +37,7 @@ impl Block {
 }
 
 impl<V: Precision> Block<V> {
-    /// Without triangles: corners at the origin. The filter does not reject these lanes, so whoever asks it drops them
+    /// A block without triangles: corners at the origin. The filter does not reject these lanes, so callers drop them
     /// by the number of triangles.
     pub const EMPTY: Self =
         Self { corners: [[[V::Real::ZERO; 4]; 3]; 3], edges: [V::MIN_EDGE; 4], prims: [Block::NONE; 4] };
@@ -59,18 +60,18 @@ impl<V: Precision> Block<V> {
         V::from_components([x[lane & 3], y[lane & 3], z[lane & 3]])
     }
 
-    /// The triangle in a lane, 0 to 3.
+    /// Returns the triangle in a lane, 0 to 3.
     #[inline(always)]
     pub fn triangle(&self, lane: usize) -> Triangle<V> {
         Triangle([self.corner(0, lane), self.corner(1, lane), self.corner(2, lane)])
     }
 }
 
-/// Of one corner, for each axis, the coordinates of four triangles.
+/// Returns for one corner and each axis the coordinates of four triangles.
 #[inline(always)]
 fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> [f32x4<S>; 3] {
     let row = |Triangle([v0, v1, v2]): &Triangle| {
-        // Four numbers that follow one another, which is one load.
+        // Four consecutive numbers, which is one load.
         let row = match corner {
             0 => [v0.x, v0.y, v0.z, v1.x],
             1 => [v1.x, v1.y, v1.z, v2.x],
@@ -89,7 +90,7 @@ fn transposed<S: Simd>(simd: S, triangles: [&Triangle; 4], corner: usize) -> [f3
     }
 }
 
-/// The greatest component in each lane.
+/// Returns the greatest component in each lane.
 #[inline(always)]
 fn greatest<S: Simd>([x, y, z]: &[f32x4<S>; 3]) -> f32x4<S> {
     x.abs().max(y.abs()).max(z.abs())
@@ -100,7 +101,7 @@ fn arrays<S: Simd>([x, y, z]: [f32x4<S>; 3]) -> [[f32; 4]; 3] {
     [x.into(), y.into(), z.into()]
 }
 
-/// The greatest component of the edges from the first corner, as the filter computes them. `[LANES-3]`
+/// Returns the greatest component of the edges from the first corner, as the filter computes it. `[LANES-3]`
 pub(super) fn longest(&Triangle([v0, v1, v2]): &Triangle) -> f32 {
     (v1 - v0).abs().max((v2 - v0).abs()).max_element().max(MIN_EDGE)
 }

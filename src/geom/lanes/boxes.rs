@@ -10,9 +10,9 @@ use crate::geom::{Ray, Region};
 
 /// A ray, prepared for `A` boxes at once: 4 or 8. `[LANES-1]`
 ///
-/// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes picked by the signs of the
-/// direction, so that nothing is sorted. The rays for which single precision is too little are tested from where they
-/// enter the region, which is slower. `[BOX-9]`
+/// The test is that of [`Directed`](crate::geom::slabs::Directed), with the near planes selected by the signs of the
+/// direction, so nothing is sorted. Rays for which single precision does not suffice are tested from their entry into
+/// the region, which is slower. `[BOX-9]`
 #[derive(Clone, Debug)]
 pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
@@ -20,21 +20,21 @@ pub struct BoxRay<S: Simd, V: Lanes<S, A>, const A: usize> {
     /// Reciprocals for near planes, too small, and for far planes, too great.
     near: [V; 3],
     far: [V; 3],
-    /// Of each axis, where the near planes begin: at 0, those of lo, or at `A`, those of hi.
+    /// For each axis, the start of the near planes: at 0, those of lo, or at `A`, those of hi.
     side: [usize; 3],
     tmin: V,
     /// The numbers of the lanes, as bits.
     lanes: V,
     is_wide: bool,
-    /// Of rays that are wide. They are rare, so the others do not carry it along.
+    /// For wide rays. They are rare, so other rays do not store it.
     entered: Option<Box<FromEntrance>>,
 }
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
-    /// The bits of a rank that are of the distance. The sign is not among them, so -0 is 0.
+    /// The bits of the distance in a rank. The sign is not among them, so -0 is 0.
     const DISTANCE: u32 = (1 << 31) - A as u32;
 
-    /// Prepares a ray. `region` must hold all boxes that it is asked about.
+    /// Prepares a ray. `region` must contain all boxes of the tests.
     #[inline(always)]
     pub fn new(simd: S, ray: &Ray, region: &Region) -> Self {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
@@ -58,14 +58,14 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         }
     }
 
-    /// The ranks of all boxes, and the set of those that are met up to `end`, which must not be negative.
+    /// Returns the ranks of all boxes, and the set of those that are met up to `end`, which must not be negative.
     ///
-    /// `planes` has for each axis the lower planes of all boxes, then the upper ones; the box of an empty lane is from
-    /// plus to minus infinity. A rank is the distance at which the box is entered, rounded down to a multiple of `A`
-    /// units in the last place, with the number of the lane in the bits that this leaves free. `[LANES-2]`
+    /// `planes` has for each axis the lower planes of all boxes, then the upper planes; the box of an empty lane is
+    /// from plus to minus infinity. A rank is the distance at which the box is entered, rounded down to a multiple of
+    /// `A` units in the last place, with the number of the lane in the free bits. `[LANES-2]`
     ///
-    /// The ranks of boxes that are not met mean nothing. With another `end` ranks are the same; and a box that was met
-    /// up to some other end is met up to this one if its rank, with the lane cleared, is not above it.
+    /// The ranks of boxes that are not met are meaningless. Ranks do not depend on `end`. A box that was met up to some
+    /// other end is met up to this one if its rank, with the lane cleared, is not above it.
     #[inline(always)]
     pub fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
         if self.is_wide {
@@ -79,7 +79,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         Self::ranked(self.simd, [near_x, near_y, near_z], self.tmin, [far_x, far_y, far_z], end, self.lanes)
     }
 
-    /// The ranks and the set, by the distances of near planes and tmin, and by those of far planes. `[LANES-2]`
+    /// Returns the ranks and the set, from the distances of near planes and tmin, and those of far planes. `[LANES-2]`
     #[inline(always)]
     pub(super) fn ranked(
         simd: S,
@@ -97,7 +97,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         (V::from_bits(bits | lanes.to_bits()), set)
     }
 
-    /// The distances of the planes that begin at `side` on each axis, for a ray from `origin`.
+    /// Returns the distances of the planes that start at `side` on each axis, for a ray from `origin`.
     #[inline(always)]
     pub(super) fn distances(
         simd: S,
@@ -113,7 +113,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
         ]
     }
 
-    /// The planes of an axis that begin at 0, those of lo, or at `A`, those of hi.
+    /// Returns the planes of an axis that start at 0, those of lo, or at `A`, those of hi.
     #[inline(always)]
     fn pick(simd: S, planes: &[[f32; A]; 2], side: usize) -> V {
         let (planes, from) = (planes.as_flattened(), side & A);
@@ -121,7 +121,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxRay<S, V, A> {
     }
 }
 
-/// The ranks and the set of boxes that are tested two by two: by where each is entered, if it is.
+/// Returns the ranks and the set of boxes that are tested two by two, from their entries.
 pub(super) fn ranked_by_pairs<const A: usize>(
     planes: &[[[f32; A]; 2]; 3],
     end: f32,
@@ -131,7 +131,7 @@ pub(super) fn ranked_by_pairs<const A: usize>(
     for first in (0..A).step_by(2) {
         let pair = planes.map(|[lo, hi]| [lo[first], hi[first], lo[first + 1], hi[first + 1]]);
         for (lane, near) in (first..).zip(enter(&pair)) {
-            // Tests of two boxes have planes sorted, so they meet empty boxes.
+            // Tests of two boxes sort the planes, so they meet empty boxes.
             let is_empty = planes.iter().any(|[lo, hi]| lo[lane] > hi[lane]);
             let Some(near) = near.filter(|_| !is_empty) else { continue };
             let bits = near.min(f32::MAX).to_bits() & !(A as u32 - 1) & !(1 << 31);
@@ -142,22 +142,22 @@ pub(super) fn ranked_by_pairs<const A: usize>(
     (ranks, set)
 }
 
-/// Each component in all lanes.
+/// Broadcasts each component to all lanes.
 #[inline(always)]
 pub(super) fn splat<S: Simd, V: Lanes<S, A>, const A: usize>(simd: S, v: Vec3) -> [V; 3] {
     [V::splat(simd, v.x), V::splat(simd, v.y), V::splat(simd, v.z)]
 }
 
-/// The lesser number in each lane; that of `b`, which is no NaN, if `a` is one.
+/// Returns the lesser number in each lane; that of `b`, which is not a NaN, if `a` is one.
 ///
-/// On x86, the level's `min` is the instruction that gives `b` for any NaN; elsewhere `min` may give the NaN, and
-/// `min_precise` is one instruction.
+/// On x86, the level's `min` is the instruction that gives `b` for any NaN. On other targets `min` may give the NaN,
+/// and `min_precise` is one instruction.
 #[inline(always)]
 fn lesser<S: Simd, V: Lanes<S, A>, const A: usize>(a: V, b: V) -> V {
     if cfg!(any(target_arch = "x86", target_arch = "x86_64")) { a.min(b) } else { a.min_precise(b) }
 }
 
-/// The numbers of the lanes, as bits.
+/// Returns the numbers of the lanes, as bits.
 pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
     let mut lanes = [0.0; A];
     let mut i = 0;
@@ -168,7 +168,7 @@ pub(super) const fn lane_numbers<const A: usize>() -> [f32; A] {
     lanes
 }
 
-/// The test from where a ray enters the region. Nothing points into a [`BoxRay`], which then can be in registers.
+/// Tests from the entry of a ray into the region. Nothing points into a [`BoxRay`], so it can be in registers.
 /// `[BOX-9]`
 #[cold]
 #[inline(never)]

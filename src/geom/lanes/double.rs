@@ -16,13 +16,14 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 const OFF_REACH: f64 = 9.0 / (EDGE as f64 * UNIT);
 
 impl<S: Simd> TriangleRay<S, DVec3> {
-    /// Prepares a ray. `region` must hold all triangles that it is asked about.
+    /// Prepares a ray. `region` must contain all triangles of the tests.
     #[inline(always)]
     pub(super) fn double(simd: S, ray: &Ray<DVec3>, region: &Region) -> Self {
         Self::double_with(simd, [ray.origin(), ray.direction()], region, CONSTANTS.map(f64::from))
     }
 
-    /// Prepares a ray that is known within bounds. Rejected is what all rays within them miss, or meet beyond. `[LANES-5]`
+    /// Prepares a ray that is known within bounds. It rejects triangles that all rays within them miss, or meet beyond.
+    /// `[LANES-5]`
     #[inline(always)]
     pub(super) fn double_enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
         let ((origin, moved), (direction, turned)) =
@@ -38,7 +39,7 @@ impl<S: Simd> TriangleRay<S, DVec3> {
         )
     }
 
-    /// The same with other constants, as [`with_constants`](TriangleRay::with_constants).
+    /// Prepares a ray with other constants, as [`with_constants`](TriangleRay::with_constants).
     #[inline(always)]
     fn double_with(simd: S, [o, d]: [DVec3; 2], region: &Region, [edge, det, t]: [f64; 3]) -> Self {
         let (c, length) = (region.distance(o), d.abs().max_element());
@@ -56,7 +57,7 @@ impl<S: Simd> TriangleRay<S, DVec3> {
         }
     }
 
-    /// The lanes that the line certainly meets, and bounds of their distances. `[LANES-6]`
+    /// Returns the lanes that the line certainly meets, and bounds of their distances. `[LANES-6]`
     #[inline(always)]
     fn certain(&self, simd: S, block: &Block<DVec3>, found: &Found<f64x4<S>>) -> (u32, [[f64; 4]; 2]) {
         let (det, t, edge) = (found.det, found.t, f64x4::load_array_ref(simd, &block.edges));
@@ -68,7 +69,8 @@ impl<S: Simd> TriangleRay<S, DVec3> {
         (self.is_met(edge, found).to_bitmask() as u32 & 15, [(x - error).into(), (x + error).into()])
     }
 
-    /// The lanes that the ray certainly meets between these distances, and those that it certainly meets before. `[LANES-7]`
+    /// Returns the lanes that the ray certainly meets between these distances, and those that it certainly meets
+    /// before. `[LANES-7]`
     #[inline(always)]
     fn placed(&self, simd: S, block: &Block<DVec3>, found: &Found<f64x4<S>>, [tmin, tmax]: [f64; 2]) -> [u32; 2] {
         let (det, t, edge) = (found.det, found.t, f64x4::load_array_ref(simd, &block.edges));
@@ -80,7 +82,7 @@ impl<S: Simd> TriangleRay<S, DVec3> {
         [(is_met & is_between).to_bitmask() as u32 & 15, (is_met & is_before).to_bitmask() as u32 & 15]
     }
 
-    /// Whether the line certainly meets a triangle with this greatest component of its edges. `[LANES-6]`
+    /// Returns whether the line certainly meets a triangle with this greatest component of its edges. `[LANES-6]`
     #[inline(always)]
     fn is_met(&self, edge: f64x4<S>, found: &Found<f64x4<S>>) -> <f64x4<S> as SimdBase<S>>::Mask {
         let [least, most] = found.edges;
@@ -90,7 +92,7 @@ impl<S: Simd> TriangleRay<S, DVec3> {
     }
 }
 
-/// Whether a multiplication and an addition are one instruction.
+/// Returns whether a multiplication and an addition are one instruction.
 #[inline(always)]
 fn is_fused<S: Simd>(simd: S) -> bool {
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -100,24 +102,24 @@ fn is_fused<S: Simd>(simd: S) -> bool {
     is_fused
 }
 
-/// The nearest hit so far, by bounds of its distance: the least exact distance, and of equal ones the least index.
+/// The nearest hit so far, by bounds of its distance: the least exact distance, and of equal distances the least index.
 /// `[EXACT-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest64 {
-    /// If there is no hit, infinity and the end of the ray. Equal where the distance is known, rounded.
+    /// Without a hit, infinity and the end of the ray. Equal if the distance is known, rounded.
     ends: [f64; 2],
     prim: u32,
 }
 
-/// The hits of a ray in double precision. Where bounds of distances do not decide, the exact test
-/// does. It is prepared for each such question: there are few.
+/// The hits of a ray in double precision. If bounds of distances do not decide, the exact test does. It is prepared for
+/// each such case, because they are rare.
 #[derive(Clone, Debug)]
 pub struct LazyExact64<'a> {
     ray: &'a Ray<DVec3>,
     region: &'a Region,
     /// The block and the lane of the hit so far.
     found: Option<(&'a Block<DVec3>, usize)>,
-    /// The last question and its answer: many triangles may coincide.
+    /// The last test and its answer: many triangles may coincide.
     last: Once<Triangle<DVec3>, Option<f64>>,
 }
 
@@ -221,7 +223,7 @@ impl<'a> LazyExact64<'a> {
         Exact64::new(self.ray, self.region)
     }
 
-    /// Of the hit so far, which must be certain.
+    /// Returns the corrected hit so far, which must be certain.
     #[inline(always)]
     fn corrected<S: Simd>(&self, simd: S) -> Corrected {
         let Some((block, lane)) = self.found else { return Corrected::default() };
@@ -229,7 +231,7 @@ impl<'a> LazyExact64<'a> {
         if is_fused(simd) { Corrected::of::<true>(&corners, o, d) } else { Corrected::of::<false>(&corners, o, d) }
     }
 
-    /// The distance of the hit so far.
+    /// Returns the distance of the hit so far.
     #[cold]
     #[inline(never)]
     fn rounded(&self) -> Option<f64> {
@@ -237,7 +239,7 @@ impl<'a> LazyExact64<'a> {
         self.exact().distance(&block.triangle(lane), f64::INFINITY)
     }
 
-    /// The same with its weights.
+    /// Returns the distance of the hit so far, with its weights.
     #[cold]
     #[inline(never)]
     fn whole_slowly(&self) -> Option<(f64, [f64; 2])> {
@@ -246,7 +248,7 @@ impl<'a> LazyExact64<'a> {
         Some((exact.distance(&shape, f64::INFINITY)?, exact.weights(&shape)))
     }
 
-    /// The nearest hit of `nearest` and these lanes' triangles, of which some are certainly met. `[LANES-7]`
+    /// Returns the nearest hit of `nearest` and these lanes' triangles, some of which are certainly met. `[LANES-7]`
     #[inline(always)]
     fn settle(
         &mut self,
@@ -273,7 +275,7 @@ impl<'a> LazyExact64<'a> {
         nearest
     }
 
-    /// The same of one triangle, by exact arithmetic.
+    /// Returns the nearest hit of `nearest` and one triangle, by exact arithmetic.
     #[cold]
     #[inline(never)]
     fn contest(&mut self, block: &'a Block<DVec3>, lane: usize, nearest: Nearest64) -> Nearest64 {
@@ -297,7 +299,8 @@ impl<'a> LazyExact64<'a> {
         Nearest64 { ends: [t, t], prim }
     }
 
-    /// One of these lanes whose triangle the ray meets within its interval, by those that it certainly meets there, and before.
+    /// Returns one of these lanes whose triangle the ray meets within its interval. The arguments are the lanes that it
+    /// certainly meets there, and before.
     #[inline(always)]
     fn blocking(&self, block: &Block<DVec3>, lanes: u32, [between, before]: [u32; 2]) -> Option<usize> {
         LaneSet(lanes & !before).find(|&lane| between >> lane & 1 == 1 || self.blocks(block, lane))

@@ -10,7 +10,7 @@ use crate::geom::slabs::{EnclosedSlabs, Slabs};
 
 /// A ray that is known within bounds, prepared for `A` boxes at once: 4 or 8. `[INST-4]`
 ///
-/// The test is that of [`EnclosedSlabs`]. What it tests in double precision is tested so, box by box.
+/// The test is that of [`EnclosedSlabs`]. Rays that it tests in double precision are tested box by box.
 #[derive(Clone, Copy, Debug)]
 pub struct EnclosedBoxes<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
@@ -28,8 +28,8 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> EnclosedBoxes<S, V, A> {
         Self { simd, lines: Lines::new(simd, lines, [is_back_x, is_back_y, is_back_z], slabs.tmin()), slabs }
     }
 
-    /// What [`BoxRay::enter`](super::BoxRay::enter) gives: the ranks of all boxes, and the set of those that any ray
-    /// within the bounds meets up to `end`.
+    /// Returns the result of [`BoxRay::enter`](super::BoxRay::enter): the ranks of all boxes, and the set of those that
+    /// any ray within the bounds meets up to `end`.
     #[inline(always)]
     pub fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
         if self.slabs.is_wide() {
@@ -40,15 +40,15 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> EnclosedBoxes<S, V, A> {
     }
 }
 
-/// For the near and the far plane, where the ray starts, and the reciprocal of its direction; and whether that runs backward,
-/// so that the ray meets the upper plane first.
+/// Returns for the near and the far plane the start of the ray and the reciprocal of its direction; and whether it runs
+/// backward, so that the ray meets the upper plane first.
 #[inline(always)]
 fn line([lo, hi]: [[f32; 2]; 2]) -> ([[f32; 2]; 2], bool) {
     let [_, inverse] = lo;
     if inverse < 0.0 { ([hi, lo], true) } else { ([lo, hi], false) }
 }
 
-/// The test in double precision, two boxes at a time.
+/// Tests in double precision, two boxes at a time.
 #[cold]
 #[inline(never)]
 fn enter_wide<const A: usize>(slabs: &EnclosedSlabs, planes: &[[[f32; A]; 2]; 3], end: f32) -> ([f32; A], u32) {

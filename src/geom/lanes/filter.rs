@@ -6,8 +6,8 @@ use super::{Baseline, Block, TriangleRay, baseline};
 use crate::geom::kernel::Filter;
 use crate::geom::{Ray, Region, Triangle};
 
-/// The filter of [`TriangleRay`] for any four triangles, with the instructions that every machine of the target has.
-/// `[LANES-3]` `[LANES-4]`
+/// The filter of [`TriangleRay`] for any four triangles, with the target's baseline instructions. `[LANES-3]`
+/// `[LANES-4]`
 ///
 /// ```
 /// use glam::Vec3;
@@ -28,7 +28,7 @@ use crate::geom::{Ray, Region, Triangle};
 pub struct TriangleFilter(TriangleRay<Baseline>);
 
 impl Filter<Vec3, Triangle> for TriangleFilter {
-    /// Where four are not tested in the time of one, it would take longer.
+    /// On targets without vector instructions, it would take longer.
     const REJECTS: bool = cfg!(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"));
 
     #[inline(always)]
@@ -36,7 +36,7 @@ impl Filter<Vec3, Triangle> for TriangleFilter {
         Self(TriangleRay::new(baseline(), ray, region))
     }
 
-    /// A function of its own: inlined, it is no faster, and there would be a copy for each traversal and search.
+    /// A separate function: inlined, it is not faster, and each traversal and search would have a copy.
     #[inline(never)]
     fn survivors(&self, shapes: [&Triangle; 4], limit: f32) -> u32 {
         let simd = baseline();

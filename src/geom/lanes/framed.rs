@@ -11,15 +11,15 @@ use crate::geom::{Ray, Region};
 
 /// A ray in double precision, prepared for the eight boxes of a node. `[BOX-8]`
 ///
-/// The test is that of [`EnclosedBoxes`](super::EnclosedBoxes), in the frame. Rays for which doubles are
-/// not enough are tested box by box. `[BOX-9]`
+/// The test is that of [`EnclosedBoxes`](super::EnclosedBoxes), in the frame. Rays for which doubles do not suffice are
+/// tested box by box. `[BOX-9]`
 #[derive(Clone, Debug)]
 pub struct FramedBoxes<S: Simd> {
     simd: S,
     lines: Lines<S, f32x8<S>, 8>,
     unit: f64,
     start: f64,
-    /// They are rare, so the other rays do not carry it along.
+    /// For rare rays; other rays do not store it.
     entered: Option<Box<Entered>>,
 }
 

@@ -1,4 +1,4 @@
-//! Leaves: the filter of four triangles, then the exact test of what it leaves.
+//! Leaves: the filter of four triangles, then the exact test of the survivors.
 
 use fearless_simd::Simd;
 use glam::Vec3;
@@ -7,7 +7,7 @@ use super::{Block, Hits, Precision, TriangleRay};
 use crate::geom::kernel::{Exact, ExactOnce};
 use crate::geom::{Kernel, Ray, Region, Triangle};
 
-/// The nearest hit so far: the least exact distance, and of equal ones the least index. `[EXACT-1]`
+/// The nearest hit so far: the least exact distance, and of equal distances the least index. `[EXACT-1]`
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
     /// Its distance, rounded; the end of the ray if there is no hit.
@@ -17,24 +17,24 @@ pub struct Nearest {
 }
 
 impl Nearest {
-    /// Before anything is hit. An end of -0 becomes 0.
+    /// Creates the state before any hit. An end of -0 becomes 0.
     #[inline(always)]
     pub fn none(ray: &Ray) -> Self {
         Self { t: ray.tmax() + 0.0, prim: Block::NONE }
     }
 
-    /// Whether there is a hit.
+    /// Returns whether there is a hit.
     #[inline(always)]
     pub fn is_some(&self) -> bool {
         self.prim != Block::NONE
     }
 }
 
-/// The exact test, prepared when the first triangle comes that the filter does not reject: a ray that misses
-/// everything does not pay for it. And the triangle of the hit so far, with which those at the same rounded distance are
-/// compared.
+/// The exact test, prepared at the first triangle that the filter does not reject: a ray that misses everything does
+/// not pay for it. It also holds the triangle of the hit so far, for comparisons with triangles at the same rounded
+/// distance.
 ///
-/// Its alignment is that of registers: so the stack of whoever holds it is aligned too, and registers that are put aside
+/// Its alignment is that of registers: so the stack frame that holds it is aligned too, and registers that are spilled
 /// there do not cross cache lines.
 #[derive(Clone, Debug)]
 #[repr(align(32))]
@@ -47,25 +47,25 @@ pub struct LazyExact<'a> {
 }
 
 impl<'a> LazyExact<'a> {
-    /// For this ray. `region` must hold all triangles that it is asked about.
+    /// Creates the test for this ray. `region` must contain all triangles of the tests.
     #[inline(always)]
     pub const fn new(ray: &'a Ray, region: &'a Region) -> Self {
         Self { ray, region, exact: None, found: None }
     }
 
-    /// The ray.
+    /// Returns the ray.
     #[inline(always)]
     pub const fn ray(&self) -> &'a Ray {
         self.ray
     }
 
-    /// The test.
+    /// Returns the test.
     #[inline(always)]
     pub fn get(&mut self) -> &Exact {
         &self.once().exact
     }
 
-    /// The triangle of the hit that was found last.
+    /// Returns the triangle of the last hit.
     #[inline]
     pub(crate) fn found(&self) -> Option<Triangle> {
         self.found.map(|(block, lane)| block.triangle(lane))
@@ -124,7 +124,7 @@ impl<'a> LazyExact<'a> {
         nearest
     }
 
-    /// A triangle, among the first `count` of these blocks, that the ray meets within its interval.
+    /// Returns a triangle, among the first `count` of these blocks, that the ray meets within its interval.
     ///
     /// # Panics
     /// If `count` is more than 31. A leaf has at most 15 triangles.
@@ -141,10 +141,10 @@ impl<'a> LazyExact<'a> {
         None
     }
 
-    /// The nearest hit of `nearest` and these lanes' triangles.
+    /// Returns the nearest hit of `nearest` and these lanes' triangles.
     ///
-    /// It gets `nearest` by value: what is pointed to cannot be in registers. Nor can what is in registers stay there
-    /// where a function is called: as one of its own, this took 3 to 5 % of a ray's instructions more.
+    /// It receives `nearest` by value: a value behind a pointer cannot be in registers. Registers also cannot be kept
+    /// across a function call: as a separate function, this took 3 to 5 % of a ray's instructions more.
     #[inline(always)]
     fn settle(&mut self, block: &'a Block, lanes: u32, mut nearest: Nearest) -> Nearest {
         for lane in LaneSet(lanes) {
@@ -159,7 +159,7 @@ impl<'a> LazyExact<'a> {
         nearest
     }
 
-    /// Whether a hit at the rounded distance of the nearest one so far comes before it. `[EXACT-13]`
+    /// Returns whether a hit at the rounded distance of the nearest hit so far comes before it. `[EXACT-13]`
     #[cold]
     #[inline(never)]
     fn comes_first(&mut self, shape: &Triangle, prim: u32) -> bool {
@@ -167,9 +167,9 @@ impl<'a> LazyExact<'a> {
         self.get().order((shape, prim), (&block.triangle(lane), block.prims[lane])).is_lt()
     }
 
-    /// One of these lanes' triangles that the ray meets within its interval.
+    /// Returns one of these lanes' triangles that the ray meets within its interval.
     ///
-    /// By a loop: `find` is a function of its own, which is not compiled for the level.
+    /// By a loop: `find` is a separate function, which is not compiled for the level.
     #[inline(always)]
     fn blocking(&mut self, block: &'a Block, lanes: u32) -> Option<u32> {
         for lane in LaneSet(lanes) {
@@ -247,7 +247,7 @@ impl<'a> Hits<'a, Vec3> for LazyExact<'a> {
     }
 }
 
-/// The blocks that hold the first `count` triangles, less than 32, each with the set of its lanes that are among these.
+/// Returns the blocks of the first `count` triangles, less than 32, each with the set of its lanes among them.
 #[inline(always)]
 pub(crate) fn filled<V: Precision>(blocks: &[Block<V>], count: u32) -> impl Iterator<Item = (&Block<V>, u32)> {
     assert!(count < u32::BITS, "{count} triangles");
@@ -274,7 +274,7 @@ impl Iterator for LaneSet {
     fn next(&mut self) -> Option<usize> {
         let Self(lanes) = *self;
         self.0 &= lanes.checked_sub(1)?;
-        // So that indices need no check.
+        // The mask makes a bounds check unnecessary.
         Some(lanes.trailing_zeros() as usize & 3)
     }
 }

@@ -8,14 +8,14 @@ use super::boxes::{BoxRay, lane_numbers, splat};
 
 /// Lines that bound a ray from both sides, prepared for `A` boxes at once: 4 or 8. `[INST-4]`
 ///
-/// The near planes are picked by the signs of the direction, so that nothing is sorted.
+/// The near planes are selected by the signs of the direction, so nothing is sorted.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lines<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
-    /// For near planes and for far planes: where the line starts on each axis, and the reciprocals of its direction.
+    /// For near planes and for far planes: the start of the line on each axis, and the reciprocals of its direction.
     near: [[V; 3]; 2],
     far: [[V; 3]; 2],
-    /// Of each axis, where the near planes begin: at 0, those of lo, or at `A`, those of hi.
+    /// For each axis, the start of the near planes: at 0, those of lo, or at `A`, those of hi.
     side: [usize; 3],
     tmin: V,
     /// The numbers of the lanes, as bits.
@@ -23,12 +23,12 @@ pub(super) struct Lines<S: Simd, V: Lanes<S, A>, const A: usize> {
 }
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> Lines<S, V, A> {
-    /// By where the lines for near and for far planes start, and the reciprocals of their directions; and whether these run
-    /// backward on each axis.
+    /// Creates the lines from the starts for near and for far planes, and the reciprocals of their directions; and
+    /// whether these run backward on each axis.
     #[inline(always)]
     pub(super) fn new(simd: S, [near, far]: [[Vec3; 2]; 2], backward: [bool; 3], tmin: f32) -> Self {
         const { assert!(A == 4 || A == 8, "nodes have four or eight children") };
-        // Where the ray runs backward, it meets the upper planes first.
+        // If the ray runs backward, it meets the upper planes first.
         let side = |axis: usize| if backward[axis] { A } else { 0 };
         Self {
             simd,
@@ -40,7 +40,7 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> Lines<S, V, A> {
         }
     }
 
-    /// As [`BoxRay::enter`].
+    /// Computes [`BoxRay::enter`].
     #[inline(always)]
     pub(super) fn enter(&self, planes: &[[[f32; A]; 2]; 3], end: f32) -> (V, u32) {
         let ([x, y, z], [origin, inverse]) = (self.side, &self.near);

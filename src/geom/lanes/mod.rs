@@ -1,9 +1,9 @@
 //! A ray against four or eight boxes at once, and against four triangles at once.
 //!
-//! Wide hierarchies ([`bvh::wide`](crate::bvh::wide)) are traced by these. Instructions are those of
-//! [`fearless_simd`]; the level is chosen by the caller. All functions are inlined always, so that they are compiled
-//! for the level of whoever calls them. The box test gives the same bits on all levels; the filter of triangles rejects
-//! the same ones. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-7]`.
+//! Tracers of wide hierarchies ([`bvh::wide`](crate::bvh::wide)) use these tests. Instructions are those of
+//! [`fearless_simd`]; the caller selects the level. All functions are always inlined, so they are compiled for the
+//! caller's level. The box test gives identical bits on all levels; the filter rejects the same triangles on all
+//! levels. Derivations: spec/wide-lanes.md, `[LANES-1]` to `[LANES-7]`.
 //!
 //! ```
 //! use fearless_simd::{Level, Simd, dispatch, f32x8};
@@ -55,9 +55,9 @@ pub use triangles::{DETERMINANT, DISTANCE, MIN_EDGE, OFF, OFF_EDGE, OFF_REACH, T
 pub use fearless_simd::Level;
 use fearless_simd::{Simd, SimdFloat};
 
-/// The levels that rays are traced with on this machine, the best one first, with their names.
+/// Returns the instruction levels for rays on this machine, the best one first, with their names.
 ///
-/// On x86, SSE4.2 and AVX-512 are not among them: what they add is no use here. With AVX-512 rays take 5 to 8 % longer
+/// On x86, SSE4.2 and AVX-512 are not among them, because they do not help here. With AVX-512 rays take 5 to 8 % longer
 /// (benches/records/2026-11-27-wide.md).
 pub fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
@@ -72,7 +72,7 @@ pub fn levels() -> Vec<(&'static str, Level)> {
     vec![(if best.is_fallback() { "scalar" } else { "simd" }, best)]
 }
 
-/// The instructions that every machine of the target has, as one type: SSE2, or where the target has none, scalar ones.
+/// The target's baseline instructions, as one type: SSE2, or scalar instructions if the target has none.
 #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
 pub(crate) type Baseline = fearless_simd::x86::Sse2;
 #[cfg(not(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2")))]
@@ -92,8 +92,7 @@ pub(crate) const fn baseline() -> Baseline {
     fearless_simd::Fallback::new()
 }
 
-/// Does something with the instructions that every machine of the target has: where a choice is not worth a copy of the
-/// code for each level.
+/// Runs code with the target's baseline instructions, if a choice is not worth a copy of the code for each level.
 macro_rules! with_baseline {
     ($simd:ident => $run:expr) => {{
         #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
@@ -107,12 +106,11 @@ macro_rules! with_baseline {
 }
 pub(crate) use with_baseline;
 
-/// Does something with the instructions of a level, in a function of its own. All that it calls is inlined always, or it
-/// would not be compiled for the level.
+/// Runs code with the instructions of a level, in a separate function. All functions that it calls must be inlined, or
+/// they would not be compiled for the level.
 macro_rules! vectorize {
     ($level:expr, $simd:ident => $run:expr) => {{
-        // Two levels of x86: what SSE4.2 and AVX-512 add is no use here, and each level costs every build of the
-        // library its time.
+        // Two levels of x86: SSE4.2 and AVX-512 do not help here, and each level costs every build of the library time.
         #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
         match ($level.as_avx2(), $level.as_sse2().or_else(|| $crate::geom::lanes::Level::new().as_sse2())) {
             (Some($simd), _) => $simd.vectorize(
@@ -133,8 +131,8 @@ macro_rules! vectorize {
 }
 pub(crate) use vectorize;
 
-/// Runs it in a function of its own. The baseline's instructions are those of the caller too, so without this the caller
-/// would hold all copies of it, and save and restore their registers at each call.
+/// Runs it in a separate function. The baseline's instructions are also those of the caller. So without this function
+/// the caller would contain all copies of it, and save and restore their registers at each call.
 #[cfg(all(any(target_arch = "x86", target_arch = "x86_64"), target_feature = "sse2"))]
 #[inline(never)]
 pub(crate) fn apart<R>(run: impl FnOnce() -> R) -> R {

@@ -11,24 +11,24 @@ use crate::geom::frame::power_of_two;
 #[derive(Clone, Copy, Debug)]
 pub struct BoxPoint<S: Simd, V: Lanes<S, A>, const A: usize> {
     simd: S,
-    /// The greatest and the least that it may be.
+    /// The greatest and the least position.
     most: [V; 3],
     least: [V; 3],
     /// The numbers of the lanes, as bits.
     lanes: V,
 }
 
-/// Below this a sum of squares may be wrong by underflow.
+/// Below this, underflow may make a sum of squares wrong.
 const TINY: f32 = power_of_two(-100) as f32;
 
-/// Below this nothing has a square, in any unit.
+/// Below this, no square is representable in any unit.
 const LEAST: f32 = power_of_two(-120) as f32;
 
-/// Units in which squares do not over- or underflow, and what they are in the usual one.
+/// Units in which squares do not over- or underflow, and their reciprocals.
 const UNITS: [[f32; 2]; 2] =
     [[power_of_two(-70) as f32, power_of_two(70) as f32], [power_of_two(100) as f32, power_of_two(-100) as f32]];
 
-/// What a distance is multiplied with, 1 - 8u, to be below the exact one.
+/// The factor 1 - 8u of a distance, which makes it a lower bound.
 const LESS: f32 = 1.0 - 4.0 * f32::EPSILON;
 
 impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
@@ -39,12 +39,12 @@ impl<S: Simd, V: Lanes<S, A>, const A: usize> BoxPoint<S, V, A> {
         Self { simd, most: splat(simd, most), least: splat(simd, least), lanes: V::load_array(simd, lane_numbers()) }
     }
 
-    /// The ranks of all boxes, and the set of those that are at most `limit` away, as far as single precision tells.
+    /// Returns the ranks of all boxes, and the set of those that may be at most `limit` away, in single precision.
     ///
     /// `planes` are those of [`BoxRay::enter`](super::BoxRay::enter). A rank is at most the distance of the box,
-    /// rounded down to a multiple of `A` units in the last place, with the number of the lane in the bits that this
-    /// leaves free. With another limit ranks are the same; and a box of the set of some other limit is in that of this
-    /// one if its rank, with the lane cleared, is not above it.
+    /// rounded down to a multiple of `A` units in the last place, with the number of the lane in the free bits. Ranks
+    /// do not depend on the limit. A box of the set of some other limit is in that of this one if its rank, with the
+    /// lane cleared, is not above it.
     #[inline(always)]
     pub fn within(&self, planes: &[[[f32; A]; 2]; 3], limit: f32) -> (V, u32) {
         let all = |x: f32| V::splat(self.simd, x);

@@ -1,4 +1,4 @@
-//! What tells the two precisions apart in wide trees.
+//! The differences of the two precisions in wide trees.
 
 use std::fmt::Debug;
 
@@ -11,81 +11,81 @@ use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
 use crate::geom::slabs::{Directed, Slabs, Slabs64};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
-/// Positions in single or in double precision, as wide trees need them. The boxes of both are in single precision.
+/// Positions in single or in double precision, for wide trees. Boxes are always in single precision.
 pub trait Precision: Vector {
     /// The exact test.
     type Exact: Parity<Vector = Self>;
-    /// The test of boxes in binary trees that goes with it.
+    /// The corresponding box test in binary trees.
     type Slabs: Slabs<Vector = Self>;
     /// Four coordinates.
     type Lanes<S: Simd>: FourLanes<S, Self::Real>;
     /// A ray, prepared for the boxes of a node.
     type Boxes<S: Simd>: NodeBoxes<S, Self>;
-    /// What finds the hits in a leaf.
+    /// The search for hits in a leaf.
     type Hits<'a>: Hits<'a, Self>;
 
-    /// Whether closest and any hits have copies of all traversals, and not of the default one alone.
+    /// Whether closest and any hits have copies of all traversals, and not only of the default one.
     const HAS_ALL_COPIES: bool;
 
-    /// Edges count at least this much in the error bounds of the filter, so that these cover all errors of underflow
-    /// too. `[LANES-3]`
+    /// Minimum edge length in the error bounds of the filter; it covers all errors of underflow too. `[LANES-3]`
     const MIN_EDGE: Self::Real;
 
-    /// What a ray may be off by, at most, for the filter to be asked. `[LANES-5]`
+    /// Greatest error of a ray for which the filter is used. `[LANES-5]`
     const MOST_OFF: f64;
 
-    /// The filter of a ray that is known within bounds. `[LANES-5]`
+    /// Creates the filter of a ray that is known within bounds. `[LANES-5]`
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self>;
 
-    /// The greatest component of the edges from the first corner, as the filter computes them, and not below
+    /// Returns the greatest component of the edges from the first corner, as the filter computes it, at least
     /// [`MIN_EDGE`](Self::MIN_EDGE). `[LANES-3]`
     fn longest(triangle: &Triangle<Self>) -> Self::Real;
 }
 
 /// A vector of four numbers.
 pub trait FourLanes<S: Simd, R>: SimdFloat<S, Element = R, Array = [R; 4]> {
-    /// With their signs changed where those of others are negative.
+    /// Returns the numbers with their signs changed where those of other numbers are negative.
     #[must_use]
     fn turned(self, others: Self) -> Self;
 }
 
 /// A ray, prepared for the eight boxes of a node, in the units of their frame.
 pub trait NodeBoxes<S: Simd, V: Precision>: Clone + Debug {
-    /// Prepares a ray. `region` must hold all boxes that it is asked about.
+    /// Prepares a ray. `region` must contain all boxes of the tests.
     fn new(simd: S, ray: &Ray<V>, region: &Region) -> Self;
 
-    /// At least the distance of each box that holds a hit at `t` or before, which is not negative, nor is the result.
+    /// Returns an upper bound of the reported distance of each box with a hit at or before `t`. Neither `t` nor the
+    /// result is negative.
     fn end(&self, t: V::Real) -> f32;
 
-    /// The ranks of all boxes, and the set of those that are met up to an [end](Self::end). `[LANES-2]`
+    /// Returns the ranks of all boxes, and the set of those that are met up to an [end](Self::end). `[LANES-2]`
     fn enter(&self, planes: &[[[f32; 8]; 2]; 3], end: f32) -> (f32x8<S>, u32);
 }
 
-/// The hits of a ray in leaves: the filter of four triangles, then the exact test of what that leaves.
+/// The hits of a ray in leaves: the filter of four triangles, then the exact test of the survivors.
 pub trait Hits<'a, V: Precision>: Debug {
-    /// The nearest hit so far: the least exact distance, and of equal ones the least index. `[EXACT-1]`
+    /// The nearest hit so far: the least exact distance, and of equal distances the least index. `[EXACT-1]`
     type Nearest: Copy + Debug;
 
-    /// For this ray. `region` must hold all triangles that it is asked about.
+    /// Creates the search for this ray. `region` must contain all triangles of the tests.
     fn new(ray: &'a Ray<V>, region: &'a Region) -> Self;
 
-    /// The ray.
+    /// Returns the ray.
     fn ray(&self) -> &'a Ray<V>;
 
-    /// The filter for this ray.
+    /// Returns the filter for this ray.
     fn filter<S: Simd>(&self, simd: S) -> TriangleRay<S, V>;
 
-    /// Before anything is hit.
+    /// Returns the state before any hit.
     fn none(&self) -> Self::Nearest;
 
-    /// No hit that is farther is nearer than this one: not below 0, and not -0.
+    /// Returns a bound beyond which no hit is nearer than this one: not below 0, and not -0.
     fn end(nearest: &Self::Nearest) -> V::Real;
 
-    /// The triangle, if there is a hit.
+    /// Returns the triangle, if there is a hit.
     fn prim(nearest: &Self::Nearest) -> Option<u32>;
 
-    /// The nearest hit of `nearest` and the first `count` triangles of these blocks, less than 32. `nearest` must be
-    /// none, or what this has returned last.
+    /// Returns the nearest hit of `nearest` and the first `count` triangles of these blocks, less than 32. `nearest`
+    /// must be none, or the last result.
     fn nearest<S: Simd>(
         &mut self,
         simd: S,
@@ -95,7 +95,7 @@ pub trait Hits<'a, V: Precision>: Debug {
         nearest: Self::Nearest,
     ) -> Self::Nearest;
 
-    /// A hit among the first `count` of these, less than 32. Its distance is not known.
+    /// Returns a hit among the first `count` triangles, less than 32. Its distance is unknown.
     fn any<S: Simd>(
         &mut self,
         simd: S,
@@ -104,11 +104,11 @@ pub trait Hits<'a, V: Precision>: Debug {
         count: u32,
     ) -> Option<Self::Nearest>;
 
-    /// The distance of the nearest hit, rounded. It gets the hit by value, as the next one does: what is pointed to is not in
-    /// registers, nor is the search that holds it.
+    /// Returns the distance of the nearest hit, rounded. It and the next function receive the hit by value: a value
+    /// behind a pointer is not in registers, nor is the search that holds it.
     fn distance<S: Simd>(&mut self, simd: S, nearest: Self::Nearest) -> V::Real;
 
-    /// Distance and weights of the hit that was found last; `ANY` if by [`any`](Self::any).
+    /// Returns distance and weights of the last hit; `ANY` if by [`any`](Self::any).
     fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
 }
 
@@ -142,7 +142,7 @@ impl Precision for DVec3 {
     type Hits<'a> = LazyExact64<'a>;
 
     const HAS_ALL_COPIES: bool = false;
-    /// So little that no scene is too small for it.
+    /// Smaller than every practical scene.
     const MIN_EDGE: f64 = power_of_two(-400);
     const MOST_OFF: f64 = *USUAL.end();
 

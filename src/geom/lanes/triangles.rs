@@ -1,4 +1,4 @@
-//! The filter of four triangles: which are certainly missed, and which certainly beyond the best hit.
+//! The filter of four triangles: it rejects triangles that are certainly missed, or certainly beyond the best hit.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -10,34 +10,35 @@ use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{EDGE, MAX_COORDINATE};
 use crate::geom::{EnclosedRay, Interval, Ray, Real as _, Region};
 
-/// Edges, and distances from the origin, count at least this much, 2^-40, in the error bounds, so that these cover all
-/// errors of underflow too. `[LANES-3]`
+/// Minimum of edges, and of distances from the origin, in the error bounds, 2^-40; it covers all errors of underflow
+/// too. `[LANES-3]`
 pub const MIN_EDGE: f32 = f32::from_bits((127 - 40) << 23);
 
-/// What the determinant may be off by: times u D E E. So that the bound covers the roundings of the comparison too,
-/// this is more than the kernel's. `[LANES-4]`
+/// Error bound of the determinant: times u D E E. It also covers the roundings of the comparison, so it is more than
+/// the kernel's. `[LANES-4]`
 pub const DETERMINANT: u32 = 40;
 
-/// What the distance times the determinant may be off by: times u C E E, likewise. `[LANES-4]`
+/// Error bound of the distance times the determinant: times u C E E, including the roundings of the comparison.
+/// `[LANES-4]`
 pub const DISTANCE: u32 = 44;
 
 pub(super) const CONSTANTS: [f32; 3] = [EDGE as f32, DETERMINANT as f32, DISTANCE as f32];
 
-/// What edge functions are off by where the components of the direction are off by ε: times ε E (2 C + E). This and the next
-/// two have an eighth to spare. `[LANES-5]`
+/// Error bound of edge functions if the error of the components of the direction is ε: times ε E (2 C + E). This bound
+/// and the next two have an eighth to spare. `[LANES-5]`
 pub const OFF_EDGE: f32 = 4.5;
 
-/// What edge functions are off by where the components of the origin are off by ω: as if 2 C were greater by this times ω.
-/// `[LANES-5]`
+/// Error bound of edge functions if the error of the components of the origin is ω: as if 2 C were greater by this
+/// times ω. `[LANES-5]`
 pub const OFF_REACH: f32 = 9.0 / (EDGE as f32 * UNIT);
 
-/// What the determinant is off by, times ε E E, and the distance times the determinant, times ω E E. `[LANES-5]`
+/// Error bound of the determinant, times ε E E, and of the distance times the determinant, times ω E E. `[LANES-5]`
 pub const OFF: f32 = 4.5;
 
-/// The greatest ε, for a direction of length 1, for which the filter is asked.
+/// The greatest ε, for a direction of length 1, for which the filter is used.
 const MAX_TURN: f64 = power_of_two(-10);
 
-/// Lengths of a direction (its greatest component) for which single precision is asked: 2^-20 to 2^20.
+/// Lengths of a direction (its greatest component) for which single precision is used: 2^-20 to 2^20.
 const LENGTHS: [f32; 2] = [f32::from_bits((127 - 20) << 23), f32::from_bits((127 + 20) << 23)];
 
 /// Half of the distance from 1 to the next float.
@@ -45,19 +46,19 @@ const UNIT: f32 = f32::EPSILON / 2.0;
 
 /// A ray, prepared for four triangles at once.
 ///
-/// It only rejects. What it does not reject is for the exact test; see [`LazyExact`](super::LazyExact).
+/// It only rejects. The exact test decides the survivors; see [`LazyExact`](super::LazyExact).
 #[derive(Clone, Copy, Debug)]
 pub struct TriangleRay<S: Simd, V: Precision = Vec3> {
     pub(super) origin: [V::Lanes<S>; 3],
     pub(super) direction: [V::Lanes<S>; 3],
-    /// Bound of an edge function's error, over E (2 C + E). This and the next two are infinite where the filter is not
-    /// asked.
+    /// Bound of an edge function's error, over E (2 C + E). This bound and the next two are infinite if the filter is
+    /// not used.
     pub(super) edge: V::Lanes<S>,
     /// Bound of the determinant's error, over E E.
     pub(super) det: V::Lanes<S>,
     /// Bound of the error of the distance times the determinant, over E E.
     pub(super) t: V::Lanes<S>,
-    /// 2 C: C is the greatest component of the way from a corner to the origin, for all triangles of the scene.
+    /// 2 C: C is the greatest component of the vector from a corner to the origin, for all triangles of the scene.
     pub(super) twice_c: V::Lanes<S>,
 }
 
@@ -71,20 +72,20 @@ pub(super) struct Found<F> {
 }
 
 impl<S: Simd> TriangleRay<S> {
-    /// Prepares a ray. `region` must hold all triangles that it is asked about.
+    /// Prepares a ray. `region` must contain all triangles of the tests.
     #[inline(always)]
     pub fn new(simd: S, ray: &Ray, region: &Region) -> Self {
         Self::with_constants(simd, [ray.origin(), ray.direction()], region, CONSTANTS)
     }
 
-    /// Prepares a ray that is known within bounds, likewise. Rejected is what all rays within them miss, or meet
-    /// beyond. `[LANES-5]`
+    /// Prepares a ray that is known within bounds. It rejects triangles that all rays within them miss, or meet beyond.
+    /// `[LANES-5]`
     #[inline(always)]
     pub fn enclosed(simd: S, ray: &EnclosedRay, region: &Region) -> Self {
         Self::enclosed_with(simd, ray, region, [OFF_EDGE, OFF_REACH, OFF])
     }
 
-    /// The same with other constants than [`OFF_EDGE`], [`OFF_REACH`] and [`OFF`]; for tests of these.
+    /// Prepares a ray with other constants than [`OFF_EDGE`], [`OFF_REACH`] and [`OFF`]; for tests of these constants.
     #[inline(always)]
     pub(super) fn enclosed_with(simd: S, ray: &EnclosedRay, region: &Region, [edge, reach, off]: [f32; 3]) -> Self {
         let ((origin, moved), (direction, turned)) = (nearest(&ray.origin), nearest(&ray.direction));
@@ -93,7 +94,8 @@ impl<S: Simd> TriangleRay<S> {
         exact.around(simd, ray, middle, [moved, turned], [edge, reach, off])
     }
 
-    /// [`new`](Self::new) with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of these.
+    /// Calls [`new`](Self::new) with other constants than [`EDGE`], [`DETERMINANT`] and [`DISTANCE`]; for tests of
+    /// these constants.
     #[inline(always)]
     #[allow(clippy::manual_range_contains, clippy::needless_bitwise_bool, reason = "without branches")]
     pub(super) fn with_constants(
@@ -120,7 +122,8 @@ impl<S: Simd> TriangleRay<S> {
 }
 
 impl<S: Simd, V: Precision> TriangleRay<S, V> {
-    /// The same for all rays around its own, `middle`: `off` by so much in components of origin and direction. `[LANES-5]`
+    /// Prepares the filter for all rays around `middle`, with errors of at most `off` in components of origin and
+    /// direction. `[LANES-5]`
     #[inline(always)]
     pub(super) fn around(
         self,
@@ -149,8 +152,9 @@ impl<S: Simd, V: Precision> TriangleRay<S, V> {
         }
     }
 
-    /// The lanes that may hold a hit at `best` or before, which is not negative: all but those that are certainly
-    /// missed `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among them.
+    /// Returns the lanes that may hold a hit at or before `best`, which is not negative: all except those that are
+    /// certainly missed `[LANES-3]` and those that are certainly beyond `[LANES-4]`. Lanes without a triangle are among
+    /// them.
     #[inline(always)]
     pub fn survivors(&self, simd: S, block: &Block<V>, best: V::Real) -> u32 {
         self.left(simd, block, best, &self.found(simd, block))
@@ -167,7 +171,7 @@ impl<S: Simd, V: Precision> TriangleRay<S, V> {
         Found { det, edges: [u.min(v).min(w), u.max(v).max(w)], t }
     }
 
-    /// The survivors, by their determinants.
+    /// Returns the survivors, by their determinants.
     #[inline(always)]
     pub(super) fn left(&self, simd: S, block: &Block<V>, best: V::Real, found: &Found<V::Lanes<S>>) -> u32 {
         let Found { det, edges: [least, most], t } = *found;
@@ -177,7 +181,7 @@ impl<S: Simd, V: Precision> TriangleRay<S, V> {
 
         let square = edge * edge;
         let is_beyond = (t.turned(det) - self.t * square).simd_gt((det.abs() + self.det * square) * best);
-        // Comparisons with NaN are false, and with the infinite bounds of rays that are not usual too.
+        // Comparisons with NaN are false, and so are those with the infinite bounds of rays outside the range.
         !((is_missed | is_beyond).to_bitmask() as u32) & 15
     }
 }
@@ -202,7 +206,7 @@ pub(super) fn minus<F: Copy + Sub<Output = F>>(a: &[F; 3], b: &[F; 3]) -> [F; 3]
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Without fused multiply-adds, so that all levels find the same.
+/// Without fused multiply-adds, so all levels have the same results.
 #[inline(always)]
 fn cross<F: Copy + Sub<Output = F> + Mul<Output = F>>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
@@ -213,12 +217,13 @@ fn dot<F: Copy + Add<Output = F> + Mul<Output = F>>(a: &[F; 3], b: &[F; 3]) -> F
     (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
 }
 
-/// The floats nearest to the middles of bounds, and how far from these a number may be; infinite or NaN if a bound is.
+/// Returns the floats nearest to the middles of bounds, and the greatest distance of a number from them; infinite or
+/// NaN if a bound is.
 #[inline(always)]
 fn nearest(bounds: &[Interval; 3]) -> (Vec3, f32) {
     let (middles, radius) = Interval::middles(bounds);
     let nearest = middles.as_vec3();
-    // The difference is exact; that the sum is not is within what the constants have to spare.
+    // The difference is exact; the spare part of the constants covers the rounding of the sum.
     (nearest, upward(radius + (middles - nearest.as_dvec3()).abs().max_element()))
 }
 

@@ -1,7 +1,8 @@
-//! Bounds of twice the digits, in any unit: seen from afar all of a mesh is nearly as far. `[NEAR-8]`
+//! Bounds of twice the digits, in any unit: from far away, all parts of a mesh have nearly the same distance.
+//! `[NEAR-8]`
 //!
-//! Double precision bounds a distance up to some units of its last place, so it cannot say that a box is not nearer than
-//! what has been found. These bounds can, unless the middle between two floats is between.
+//! Double precision bounds a distance up to some units of its last place, so it cannot prove that a box is not nearer
+//! than the best triangle. These bounds can, unless the midpoint of two floats is between them.
 
 use glam::DVec3;
 
@@ -10,11 +11,12 @@ use crate::geom::Frame;
 use crate::geom::fine::Fine;
 use crate::geom::frame::{exponent_of, power_of_two};
 
-/// A double, and what rounding left out of it.
+/// A double, and its rounding error.
 type Sum = [f64; 2];
 
-/// At most the distance of a box with these corners in the frame. `below` and `above` are about how far it begins after the point and
-/// ends before it, on each axis, and `about` is about the distance.
+/// Returns a lower bound of the distance of a box with these corners in the frame. `below` and `above` are
+/// approximations of its start after the point and its end before it, on each axis, and `about` approximates the
+/// distance.
 #[inline(never)]
 pub(super) fn to_box(
     point: DVec3,
@@ -40,8 +42,8 @@ pub(super) fn to_box(
     Some(back(square.root()?, exponent))
 }
 
-/// At most the distance of a triangle: the least product of a corner and a direction, over the length of that. `None` where there
-/// is no guess of the direction, or it says nothing.
+/// Returns a lower bound of the distance of a triangle: the least product of a corner and a direction, over the length
+/// of the direction. `None` if there is no guess of the direction, or it gives no bound.
 #[inline(never)]
 pub(super) fn to_triangle(corners: &[DVec3; 3], point: DVec3) -> Option<Sum> {
     let guess = nearest(&corners.map(|corner| corner - point));
@@ -56,7 +58,7 @@ pub(super) fn to_triangle(corners: &[DVec3; 3], point: DVec3) -> Option<Sum> {
         dot([0, 1, 2].map(|axis| scaled(Fine::exact(corner[axis]) - Fine::exact(point[axis]), -exponent)))
     });
     let [a, b, c] = products.map(|product| product.bounds()[0]);
-    // Not so for a NaN.
+    // False for a NaN.
     if !(a[0] > 0.0 && b[0] > 0.0 && c[0] > 0.0) {
         return None;
     }
@@ -65,7 +67,7 @@ pub(super) fn to_triangle(corners: &[DVec3; 3], point: DVec3) -> Option<Sum> {
     Some(back(Fine::of_two(least).over(dot(direction).root()?)?, exponent))
 }
 
-/// The exponent of a unit in which squares of about this neither over- nor underflow; 0 if that may be.
+/// Returns the exponent of a unit in which squares of about this size neither over- nor underflow; 0 for the unit 1.
 fn unit_of(about: f64) -> i32 {
     let exponent = exponent_of(about);
     if exponent.abs() <= 200 { 0 } else { exponent.clamp(-900, 1000) }
@@ -79,7 +81,7 @@ fn scaled(x: Fine, exponent: i32) -> Fine {
     }
 }
 
-/// The least of these, in the usual unit.
+/// Returns the least of these numbers, in the unit 1.
 fn back(lengths: Fine, exponent: i32) -> Sum {
     lengths.bounds()[0].map(|part| part * power_of_two(exponent))
 }

@@ -7,26 +7,26 @@ use super::rough::{self, Rough};
 use crate::geom::fine::Fine;
 use crate::geom::kernel::two_sum;
 
-/// All numbers within bounds. Sums, differences and products hold those of all numbers that the operands hold.
+/// All numbers within bounds. Sums, differences and products contain the results for all numbers in the operands.
 pub(super) trait Enclosure:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
-    /// One finite number. `None` if it is so great or so small that products of it may over- or underflow.
+    /// Creates one finite number. `None` if products of it may over- or underflow.
     fn of(x: f64) -> Option<Self>;
 
-    /// Whether all are below 0.
+    /// Returns whether all numbers are below 0.
     fn is_negative(self) -> bool;
 
-    /// Whether all are above 0.
+    /// Returns whether all numbers are above 0.
     fn is_positive(self) -> bool;
 
-    /// A quotient that is known to be from 0 to 1.
+    /// Returns a quotient that is known to be from 0 to 1.
     fn share(self, whole: Self) -> Self;
 
-    /// Both, and all between.
+    /// Returns the hull of the two.
     fn hull(self, other: Self) -> Self;
 
-    /// What bounds all: each end is the sum of a double and of what rounding left out of it.
+    /// Returns bounds of all numbers: each end is the sum of a double and its rounding error.
     fn bounds(self) -> [[f64; 2]; 2];
 }
 
@@ -49,7 +49,7 @@ impl Enclosure for Rough {
     #[inline]
     fn share(self, whole: Self) -> Self {
         let quotient = self.over(whole);
-        // Not so for a NaN.
+        // False for a NaN.
         if quotient.radius < 0.5 { quotient } else { Self { middle: 0.5, radius: 0.5 } }
     }
 

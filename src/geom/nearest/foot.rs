@@ -1,4 +1,4 @@
-//! Where on a triangle its nearest point is: weights of the corners, and the part of the triangle.
+//! The location of the nearest point on a triangle: weights of the corners, and the part of the triangle.
 
 use glam::DVec3;
 
@@ -6,10 +6,10 @@ use super::point::{self, Part, Parts};
 use super::{Enclosure, Fine, RBig, Real, Rough, Triangle, Vector, truth};
 use crate::geom::truth::{Number as _, Place};
 
-/// Where on a triangle the point is that is nearest to another point.
+/// The location on a triangle of the point nearest to another point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Foot<R = f32> {
-    /// The part of the triangle, exactly, whatever the weights are rounded to.
+    /// The part of the triangle, exactly, independent of the rounding of the weights.
     pub place: Place,
     /// Weights of the second and the third corner, each the float nearest to the exact one.
     pub weights: [R; 2],
@@ -62,7 +62,7 @@ fn exact<V: Vector>(triangle: &Triangle<V>, point: V) -> Option<Foot<V::Real>> {
     Some(Foot { place, weights: [u, v].map(|weight| V::Real::nearest(&weight)) })
 }
 
-/// The normal of length 1 of a triangle, where twice the digits tell it.
+/// Returns the unit normal of a triangle, if twice the digits decide it.
 pub(in crate::geom) fn unit_normal<R: Real>(corners: &[DVec3; 3]) -> Option<[R; 3]> {
     let normal = point::normal::<Fine>(corners)?;
     let length = Some(point::square_length(normal)).filter(|square| square.is_positive())?.root()?;

@@ -1,12 +1,12 @@
 //! The nearest point of a triangle, by numbers within bounds.
 //!
-//! Seen from corner `a`, with edges `b`, `c` and the query point `s`, the nearest point is one of seven: a corner, the
-//! foot on an edge, or the foot on the plane. Each has a certificate, some products that are not negative, and the one
-//! whose certificate holds is the nearest. Where bounds leave a certificate open, its point is taken as well: all
-//! are in the box of those points, and so is the nearest one. A triangle without area has no plane: the certificates of
-//! its corners, and of the edges with a length, are enough. `[NEAR-3]`
+//! Relative to corner `a`, with edges `b`, `c` and the query point `s`, the nearest point is one of seven: a corner,
+//! the foot on an edge, or the foot on the plane. Each has a certificate, some products that are not negative, and the
+//! one whose certificate holds is the nearest. If bounds leave a certificate open, its point is also included: the box
+//! contains all those points, and so the nearest one. A triangle without area has no plane: the certificates of its
+//! corners, and of the edges with a length, suffice. `[NEAR-3]`
 //!
-//! Doubles decide nearly all certificates. Then twice the digits are spent on one foot, and not on seven.
+//! Doubles decide nearly all certificates. Then twice the digits compute one foot, and not seven.
 
 use glam::DVec3;
 
@@ -49,7 +49,8 @@ impl Part {
         }
     }
 
-    /// Bounds the weights of the second and the third corner in the foot on this part. `None` where a number is not taken.
+    /// Bounds the weights of the second and the third corner in the foot on this part. `None` if a number is out of
+    /// range.
     pub(super) fn weights<E: Enclosure>(self, corners: &[DVec3; 3], point: DVec3) -> Option<[E; 2]> {
         let mut weights = [E::of(0.0)?; 3];
         match self {
@@ -69,15 +70,15 @@ impl Part {
         Some([u, v])
     }
 
-    /// The distance of the foot on a plane across an axis, of which many parts have some. It may be in the middle between two
-    /// floats, where only what is exact tells to which it rounds.
+    /// Returns the distance of the foot on a plane across an axis; many parts have such a plane. The distance may be in
+    /// the middle between two floats, where only an exact number determines the rounding.
     pub(super) fn height(self, &[a, b, c]: &[DVec3; 3], point: DVec3) -> Option<Fine> {
         let axis = (0..3).find(|&k| a[k] == b[k] && a[k] == c[k]).filter(|_| self == Self::Interior)?;
         let way = <Fine as Enclosure>::of(point[axis])? - <Fine as Enclosure>::of(a[axis])?;
         Some(if way.middle() < 0.0 { -way } else { way })
     }
 
-    /// What holds the foot on this part, likewise.
+    /// Returns bounds of the foot on this part. `None` if a number is out of range.
     pub(super) fn foot<E: Enclosure>(self, corners: &[DVec3; 3], point: DVec3) -> Option<Vector<E>> {
         match self {
             Self::Vertex(corner) => exact(corners[corner]),
@@ -96,8 +97,8 @@ impl Part {
 }
 
 impl Parts {
-    /// The parts whose certificates may hold. `None` where bounds leave open whether the triangle has an area, and it has
-    /// one, or where a number is not taken.
+    /// Returns the parts whose certificates may hold. `None` if bounds leave open whether the triangle has an area, and
+    /// it has one, or if a number is out of range.
     #[inline]
     pub(super) fn certified<E: Enclosure>(corners: &[DVec3; 3], point: DVec3) -> Option<Self> {
         let seen = Seen::<E>::from(corners, point)?;
@@ -106,13 +107,13 @@ impl Parts {
             return None;
         }
         let Seen { bb, bc, cc, d1, d2, area } = seen;
-        // Along the edges from `a`, `b` and `c`, as they are in Ericson 2005, 5.1.5.
+        // Along the edges from `a`, `b` and `c`, as in Ericson 2005, 5.1.5.
         let ((d3, d4), (d5, d6)) = ((d1 - bb, d2 - bc), (d1 - bc, d2 - cc));
         let [of_b, of_c] = seen.heights();
         let of_a = area - of_b - of_c;
         let (from_b, from_c) = (d4 - d3, d5 - d6);
         let [a, b, c] = corners;
-        // They hold if none of these is negative.
+        // A certificate holds if none of its numbers is negative.
         let certificates = [
             (true, [-d1, -d2, -d2]),
             (true, [d3, -from_b, -from_b]),
@@ -125,19 +126,20 @@ impl Parts {
         Some(Self(certificates.map(|(is_part, numbers)| is_part && !numbers.into_iter().any(Enclosure::is_negative))))
     }
 
-    /// The same, by doubles if these leave one, else by twice the digits.
+    /// Returns the parts whose certificates may hold: by doubles if they leave one part, otherwise by twice the digits.
     pub(super) fn decided(corners: &[DVec3; 3], point: DVec3) -> Option<Self> {
         let by_doubles = Self::certified::<Rough>(corners, point);
         by_doubles.filter(|parts| parts.only().is_some()).or_else(|| Self::certified::<Fine>(corners, point))
     }
 
-    /// The part, if it is one. On the border of two parts both certificates hold, so this has the nearest point. `[NEAR-9]`
+    /// Returns the part, if there is only one. On the border of two parts two certificates hold, so a single part has
+    /// the nearest point. `[NEAR-9]`
     pub(super) fn only(self) -> Option<Part> {
         let mut parts = self.iter();
         parts.next().filter(|_| parts.next().is_none())
     }
 
-    /// What holds the nearest point.
+    /// Returns bounds of the nearest point.
     pub(super) fn foot<E: Enclosure>(self, corners: &[DVec3; 3], point: DVec3) -> Option<Vector<E>> {
         let mut feet = self.iter().map(|part| part.foot::<E>(corners, point));
         let first = feet.next()??;
@@ -149,7 +151,7 @@ impl Parts {
     }
 }
 
-/// Products of the edges `b` and `c` and of the way to the query point, seen from the first corner.
+/// Products of the edges `b` and `c` and of the vector to the query point, from the first corner.
 struct Seen<E> {
     bb: E,
     bc: E,
@@ -169,7 +171,7 @@ impl<E: Enclosure> Seen<E> {
         Some(Self { bb: dot(b, b), bc: dot(b, c), cc: dot(c, c), d1: dot(b, s), d2: dot(c, s), area })
     }
 
-    /// The weights of the second and of the third corner in the foot on the plane, times the area.
+    /// Returns the weights of the second and of the third corner in the foot on the plane, times the area.
     #[inline]
     fn heights(&self) -> [E; 2] {
         let &Self { bb, bc, cc, d1, d2, .. } = self;
@@ -177,14 +179,14 @@ impl<E: Enclosure> Seen<E> {
     }
 }
 
-/// The weight of the second end in the foot on an edge.
+/// Returns the weight of the second end in the foot on an edge.
 fn share<E: Enclosure>([from, to]: [DVec3; 2], point: DVec3) -> Option<E> {
     let from: Vector<E> = exact(from)?;
     let (edge, way) = (minus(exact(to)?, from), minus(exact(point)?, from));
     Some(dot(edge, way).share(dot(edge, edge)))
 }
 
-/// What holds the squares of the distances of a point.
+/// Returns bounds of the squared distance of a point.
 pub(super) fn square<E: Enclosure>(place: Vector<E>, point: DVec3) -> Option<E> {
     Some(square_length(minus(place, exact(point)?)))
 }

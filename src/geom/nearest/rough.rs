@@ -1,33 +1,33 @@
-//! Doubles with a bound of what they are off by.
+//! Doubles with an error bound.
 //!
 //! # Rounding
 //!
-//! What a sum leaves out is a double, and what a product leaves out is at most u of it, u = 2^-53, unless it underflows.
-//! It does not: numbers in [`RANGE`] are multiples of 2^-202, so sums of them and of products of two, and the bounds of
-//! these, are 0 or at least 2^-460, and products of two such are above 2^-1000.
+//! The rounding error of a sum is a double. The relative rounding error of a product is at most u = 2^-53, unless it
+//! underflows. It does not: numbers in [`RANGE`] are multiples of 2^-202. So sums of them and of products of two, and
+//! their error bounds, are 0 or at least 2^-460, and products of two such numbers are above 2^-1000.
 
 use std::ops::{Add, Mul, Neg, RangeInclusive, Sub};
 
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::two_sum;
 
-/// All numbers as near as `radius` to `middle`.
+/// All numbers within `radius` of `middle`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rough {
     pub(super) middle: f64,
     pub(super) radius: f64,
 }
 
-/// Magnitudes of numbers to begin with: 2^-150 to 2^150, so all of single precision.
+/// Magnitudes of inputs: 2^-150 to 2^150, which includes all of single precision.
 pub(super) const RANGE: RangeInclusive<f64> = power_of_two(-150)..=power_of_two(150);
 
 /// Half of the distance from 1 to the next double.
 const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// Of a radius that took up to 30 roundings.
+/// Factor for the roundings of a radius, of which there are at most 30.
 const UP: f64 = 1.0 + power_of_two(-48);
 
-/// More than a quotient loses by underflow.
+/// Greater than the loss of a quotient by underflow.
 const TINY: f64 = f64::MIN_POSITIVE;
 
 impl Rough {
@@ -36,13 +36,13 @@ impl Rough {
         Self { middle: x, radius: 0.0 }
     }
 
-    /// At least the greatest magnitude.
+    /// Returns an upper bound of the greatest magnitude.
     #[inline]
     pub(super) fn reach(self) -> f64 {
         (self.middle.abs() + self.radius) * UP
     }
 
-    /// The quotients; the radius is infinite or a NaN where the divisor may be 0 or less.
+    /// Returns the quotients; the radius is infinite or a NaN if the divisor may be 0 or less.
     #[inline]
     pub(super) fn over(self, whole: Self) -> Self {
         let least = (whole.middle - whole.radius).max(0.0);

@@ -1,11 +1,11 @@
-//! The textbook's slab test, with one reciprocal for both planes of an axis.
+//! The textbook slab test, with one reciprocal for both planes of an axis.
 
 use glam::{Vec3, Vec4};
 
 use super::{Intervals, Slabs, near_and_far};
 use crate::geom::{Ray, Region};
 
-/// The slab test as it is usually written (Kay & Kajiya 1986; Williams et al. 2005): fast, and it leaks.
+/// The common form of the slab test (Kay & Kajiya 1986; Williams et al. 2005): fast, and it leaks.
 ///
 /// The distance to a plane takes three roundings, so a ray through an edge or a corner of a box may miss it.
 pub type Plain = Centred<false>;
@@ -27,8 +27,8 @@ pub struct Centred<const PADDED: bool> {
     tmin: f32,
 }
 
-/// 1 - 3u and 1 + 4u with u = 2^-24: what near and far distances are multiplied with. With 1 - 2u or 1 + 2u, a ray may
-/// miss a box that it touches.
+/// The factors 1 - 3u and 1 + 4u with u = 2^-24 of near and far distances. With 1 - 2u or 1 + 2u, a ray may miss a box
+/// that it touches.
 pub const PADDING: [f32; 2] = [1.0 - 1.5 * f32::EPSILON, 1.0 + 2.0 * f32::EPSILON];
 
 impl<const PADDED: bool> Centred<PADDED> {
@@ -42,7 +42,7 @@ impl<const PADDED: bool> Slabs for Centred<PADDED> {
     #[inline]
     fn new(ray: &Ray, _: &Region) -> Self {
         let inverse = ray.direction().recip();
-        // Positive infinity, of -0 too: then an origin on a plane makes a NaN only where it is dropped.
+        // Positive infinity, also for -0: then an origin on a plane makes a NaN only where it is dropped.
         let inverse = Vec3::select(inverse.is_finite_mask(), inverse, Vec3::INFINITY);
         Self {
             origin: ray.origin().to_array().map(Vec4::splat),

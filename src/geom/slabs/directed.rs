@@ -1,4 +1,4 @@
-//! The slab test that skips no box which the ray touches, at no cost.
+//! The slab test that skips no box that the ray touches, without extra cost.
 
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
@@ -6,18 +6,18 @@ use super::entrance::{Entrance, enter_if};
 use super::{Intervals, MISSED, Slabs, near_and_far};
 use crate::geom::{Ray, Region};
 
-/// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that
-/// is too great: no box is skipped that the exact closed interval of the ray touches. `[BOX-1]` `[BOX-2]`
+/// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that is
+/// too great: it skips no box that the exact closed interval of the ray touches. `[BOX-1]` `[BOX-2]`
 ///
 /// The distance to a plane takes three roundings: reciprocal, difference, product. Moving the reciprocal by two floats
-/// makes up for the first two, and the third keeps the order: so a near distance is never above the nearest float of
-/// the exact one, and a far distance never below. That is all it takes, as the distances of hits are rounded to the
-/// nearest float too. Which plane is the near one depends on the ray alone, so the two reciprocals stand in the lanes
-/// of lo and hi where they are needed, and the test takes the very instructions of [`Plain`](super::Plain).
+/// compensates the first two, and the third keeps the order. So a near distance is never above the nearest float of the
+/// exact distance, and a far distance never below. That suffices, because the distances of hits are also rounded to the
+/// nearest float. The near plane depends on the ray alone, so the two reciprocals are in the lanes of lo and hi where
+/// they are needed, and the test has exactly the instructions of [`Plain`](super::Plain).
 ///
-/// Directions may be of any size. Rays with a component (other than 0) whose reciprocal overflows, those with
-/// coordinates beyond 2^126 or distances that overflow, and those from afar are tested from where they enter the
-/// region. `[BOX-9]`
+/// Directions may be of any size. Some rays are tested from their entry into the region: those with a component (other
+/// than 0) whose reciprocal overflows, those with coordinates beyond 2^126 or distances that overflow, and those from
+/// far away. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Directed {
     origin: [Vec4; 3],
@@ -26,7 +26,7 @@ pub struct Directed {
     tmin: f32,
     is_wide: bool,
     direction: Vec3,
-    /// Of rays that are wide.
+    /// The entrance of wide rays.
     entrance: Entrance,
 }
 
@@ -36,9 +36,9 @@ pub const STEPS: u32 = 2;
 /// Greatest magnitude of a coordinate for which no difference overflows.
 pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
-/// Whether single precision tells little of the boxes that a ray meets: differences or all distances may overflow; or
-/// it comes from afar, where rounding moves it by more than boxes are large; or a reciprocal overflows, and it leaves a
-/// plane so slowly that it would seem to stay in it. In the fourth lane of the origin is 0.
+/// Returns whether single precision does not suffice for the boxes that a ray meets. Differences or all distances may
+/// overflow. Or the ray comes from far away, where rounding moves it by more than the size of boxes. Or a reciprocal
+/// overflows, and the ray leaves a plane so slowly that it would seem to stay in it. The fourth lane of the origin is 0.
 #[inline(always)]
 pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, inverse: Vec4, region: &Region) -> bool {
     let [middle, far, short] = region.near();
@@ -48,9 +48,9 @@ pub(in crate::geom) fn is_beyond_single(origin: Vec4, direction: Vec4, inverse: 
     is_usual.bitmask() != 15 || is_short.bitmask() == 15 || region.reach() > f64::from(MAX_COORDINATE)
 }
 
-/// The reciprocals of a direction without -0: the nearest ones; [`STEPS`] floats nearer to zero, for near planes; and as
-/// many farther from it, for far planes. The last are of use where the nearest ones are less than `f32::MAX`, or
-/// infinite for a component of 0.
+/// Returns the reciprocals of a direction without -0: the nearest ones; [`STEPS`] floats nearer to zero, for near
+/// planes; and [`STEPS`] floats farther from zero, for far planes. The last are valid if the nearest ones are less than
+/// `f32::MAX`, or infinite for a component of 0.
 #[inline(always)]
 pub(in crate::geom) fn reciprocals(direction: Vec4) -> [Vec4; 3] {
     let inverse = Vec4::ONE / direction;
@@ -97,9 +97,9 @@ impl Slabs for Directed {
     }
 }
 
-/// The test from where a ray enters the region: near and far of the first box, then of the second. Rays that need it
-/// are so rare that it prepares them anew each time. (It takes numbers, so that the other rays need not be in memory as
-/// a whole, and gives no more than fits registers, so that their results need not be either.)
+/// Tests from the entry of a ray into the region: near and far of the first box, then of the second. Rays that need it
+/// are so rare that it prepares them again each time. (It takes numbers, so the other rays need not be in memory as a
+/// whole. Its results fit registers, so they need not be in memory either.)
 #[cold]
 #[inline(never)]
 fn pair_wide(entrance: Entrance, direction: Vec3, tmin: f32, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {

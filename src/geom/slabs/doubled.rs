@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{Intervals, STRICT_STEPS};
 
-/// As [`Directed`](super::Directed), in double precision, for a ray that may begin within bounds. `[BOX-6]`
+/// [`Directed`](super::Directed) in double precision, for a ray whose origin may be known within bounds. `[BOX-6]`
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Doubled {
     /// For lo and for hi: the greatest and the least origin.
@@ -14,7 +14,7 @@ pub(super) struct Doubled {
 }
 
 impl Doubled {
-    /// Prepares a ray, by the greatest and the least origin that it may have.
+    /// Prepares a ray, by its greatest and least origin.
     pub(super) fn new(origin: [DVec3; 2], direction: DVec3) -> Self {
         let steps = u64::from(STRICT_STEPS);
         // Without -0, a component of 0 has the reciprocal +inf.

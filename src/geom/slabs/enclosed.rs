@@ -7,16 +7,16 @@ use super::{Intervals, MISSED, STEPS, Slabs, near_and_far};
 use crate::geom::region::SHORT;
 use crate::geom::{EnclosedRay, Interval, Ray, Region};
 
-/// A slab test that skips no box which any ray within the bounds touches. `[INST-4]`
+/// A slab test that skips no box that any ray within the bounds touches. `[INST-4]`
 ///
 /// At distances that are not negative, a ray is never above the line from the greatest origin in the greatest
-/// direction, and never below the one from the least origin in the least direction. So where the first reaches the
-/// lower plane of a box and the second the upper one bounds the distances at which the box is touched. In single
-/// precision, with reciprocals that are moved as [`Directed`](super::Directed) moves them, this takes the same
-/// instructions.
+/// direction, and never below the line from the least origin in the least direction. So two distances bound the part of
+/// the ray in a box: that at which the first line reaches the lower plane, and that at which the second line reaches
+/// the upper plane. In single precision, with reciprocals that are moved as in [`Directed`](super::Directed), this
+/// takes the same instructions.
 ///
-/// Boxes may be in a [frame](crate::geom::Frame): the ray is taken into it. Of a ray that was moved to where it enters
-/// the region, what is told of boxes is counted from where it began. `[INST-7]`
+/// Boxes may be in a [frame](crate::geom::Frame): the ray is transformed into it. For a ray that was moved to its entry
+/// into the region, reported distances are relative to its original start. `[INST-7]`
 #[derive(Clone, Copy, Debug)]
 pub struct EnclosedSlabs {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
@@ -24,13 +24,13 @@ pub struct EnclosedSlabs {
     inverse: [Vec4; 3],
     tmin: f32,
     is_wide: bool,
-    /// Whether the lanes will do, of what [is wide](Self::is_wide).
+    /// Whether the lanes suffice, unless the ray [is wide](Self::is_wide).
     is_single: bool,
     ray: EnclosedRay,
 }
 
 impl EnclosedSlabs {
-    /// Prepares a ray from `tmin` on. `region` must hold all boxes that it is asked about.
+    /// Prepares a ray from `tmin` on. `region` must contain all boxes of the tests.
     pub fn of(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
         if !region.frame().is_identity() {
             return Self::in_frame(&region.frame().ray(ray), tmin, region);
@@ -38,7 +38,7 @@ impl EnclosedSlabs {
         Self::in_frame(ray, tmin, region)
     }
 
-    /// The same for a ray in the frame of the region.
+    /// Prepares a ray in the frame of the region.
     #[inline(always)]
     fn in_frame(ray: &EnclosedRay, tmin: f32, region: &Region) -> Self {
         // Written out: closures over three axes are not inlined here, and took most of the time.
@@ -53,8 +53,8 @@ impl EnclosedSlabs {
         Self { origin, inverse, tmin, is_wide, is_single, ray: *ray }
     }
 
-    /// Of each axis, for the lower and the upper plane: where the ray that bounds it starts, and the reciprocal of its
-    /// direction, which is negative where the ray runs backward. Meaningless if it [is wide](Self::is_wide).
+    /// Returns for each axis and for the lower and the upper plane the start of the bounding ray and the reciprocal of
+    /// its direction, which is negative if the ray runs backward. Meaningless if it [is wide](Self::is_wide).
     #[inline(always)]
     pub(in crate::geom) fn axes(&self) -> [[[f32; 2]; 2]; 3] {
         [0, 1, 2].map(|axis| {
@@ -63,19 +63,19 @@ impl EnclosedSlabs {
         })
     }
 
-    /// Where the ray begins.
+    /// Returns the start of the ray.
     #[inline(always)]
     pub(in crate::geom) fn tmin(&self) -> f32 {
         self.tmin
     }
 
-    /// Whether it is tested in double precision.
+    /// Returns whether it is tested in double precision.
     #[inline(always)]
     pub(in crate::geom) fn is_wide(&self) -> bool {
         self.is_wide
     }
 
-    /// The test of rays from afar, from where they enter the region, and of those that are not for single precision.
+    /// Tests distant rays from their entry into the region, and rays for which single precision does not suffice.
     #[cold]
     #[inline(never)]
     fn pair_wide(&self, planes: &[[f32; 4]; 3], tmax: f32) -> [f32; 4] {
@@ -90,16 +90,16 @@ impl EnclosedSlabs {
         [lanes[0][0], lanes[0][1], lanes[1][0], lanes[1][1]]
     }
 
-    /// Where the ray enters and leaves two boxes, from its origin on, by the lanes.
+    /// Returns the entries and exits of the ray for two boxes, from its origin on, by the lanes.
     fn met_in_single(&self, planes: &[[f32; 4]; 3]) -> [[f64; 2]; 2] {
         let Intervals { hit, near, far } =
             Intervals::of_lanes(near_and_far(planes, &self.origin, &self.inverse, 0.0, f32::INFINITY));
-        // These are rounded.
+        // These distances are rounded.
         [0, 1].map(|i| if hit[i] { [near[i].next_down().max(0.0), far[i].next_up()] } else { MISSED }.map(f64::from))
     }
 
-    /// The same in double precision, each operation rounded outwards: for rays that may run either way along an axis, and
-    /// for huge and tiny numbers.
+    /// Returns the entries and exits in double precision, each operation rounded outwards: for rays that may run in
+    /// either direction along an axis, and for huge and tiny numbers.
     fn met_in_double(&self, planes: &[[f32; 4]; 3]) -> [[f64; 2]; 2] {
         let (mut near, mut far) = ([0.0_f64; 2], [f64::INFINITY; 2]);
         for (axis, planes) in planes.iter().enumerate() {
@@ -107,7 +107,7 @@ impl EnclosedSlabs {
                 (self.ray.origin[axis].ends(), self.ray.direction[axis].ends());
             for side in 0..2 {
                 let [lo, hi] = [0, 1].map(|plane| f64::from(planes[2 * side + plane]));
-                // o_most + t d_most >= lo, and the same for hi with all signs changed.
+                // o_most + t d_most >= lo, and likewise for hi with all signs changed.
                 for (way, speed) in [((lo - o_most).next_down(), d_most), ((o_least - hi).next_down(), -d_least)] {
                     // A NaN is no bound.
                     let t = way / speed;
@@ -126,13 +126,13 @@ impl EnclosedSlabs {
     }
 }
 
-/// Whether a direction is not so short that a component of 0 would count. `[BOX-9]`
+/// Returns whether a direction is long enough for the replacement of a component 0 to have no effect. `[BOX-9]`
 fn is_long(ray: &EnclosedRay) -> bool {
     ray.direction.iter().any(|x| x.ends()[0] >= SHORT || x.ends()[1] <= -SHORT)
 }
 
-/// For the lower and the upper plane of an axis: where the ray that bounds it starts, and the reciprocal of its
-/// direction. `None` where single precision will not do.
+/// Returns for the lower and the upper plane of an axis the start of the bounding ray and the reciprocal of its
+/// direction. `None` if single precision does not suffice.
 fn lanes(ray: &EnclosedRay, axis: usize) -> Option<[[f32; 2]; 2]> {
     let ([o_least, o_most], [d_least, d_most]) =
         (ray.origin[axis].ends_in_single(), ray.direction[axis].ends_in_single());

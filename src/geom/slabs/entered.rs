@@ -1,4 +1,4 @@
-//! The slab test in double precision, from where a ray enters the region of all boxes.
+//! The slab test in double precision, from the entry of a ray into the region of all boxes.
 
 use glam::DVec3;
 
@@ -9,34 +9,34 @@ use crate::geom::frame::{exponent_of, power_of_two};
 use crate::geom::truth::{Relaxed, first_touch};
 use crate::geom::{Interval, Ray, Region};
 
-/// A slab test for rays that single precision cannot take, in either precision: from afar, and with huge and tiny
-/// numbers. No box is skipped that the ray touches. `[BOX-9]`
+/// A slab test for rays that single precision does not support, in either precision: from far away, and with huge and
+/// tiny numbers. It skips no box that the ray touches. `[BOX-9]`
 ///
-/// The ray begins where it enters the region of all boxes, so doubles are finer than boxes are, wherever it comes from.
-/// To find where that is takes some microseconds where doubles cannot tell.
+/// The ray starts at its entry into the region of all boxes, so doubles are finer than boxes, for any origin. If
+/// doubles do not determine the entry, the computation takes some microseconds.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) struct Entered {
     /// In the frame of the boxes, from the entry on.
     pub(super) slabs: Doubled,
     /// Bounds of the distance at which the ray enters.
     pub(super) start: Interval,
-    /// A unit of distance of the slabs is 2 to the power of this.
+    /// Exponent of the slabs' unit of distance.
     pub(super) exponent: i32,
     pub(super) tmin: f64,
 }
 
-/// Whether a ray enters a region, as far as doubles decide.
+/// Whether a ray enters a region, if doubles decide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Approach<E> {
-    /// It does not.
+    /// It does not enter.
     Misses,
-    /// The ray from there on.
+    /// It enters; the ray from there on.
     Enters(E),
-    /// Too little.
+    /// Doubles do not decide.
     Unknown,
 }
 
-/// A ray from where it enters the region, or from before that, in the frame of the boxes.
+/// A ray from its entry into the region, or from before that, in the frame of the boxes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Entry {
     pub(super) origin: [Interval; 3],
@@ -50,25 +50,25 @@ pub(super) struct Entry {
 /// The greatest component of a direction is within 2^-1000 to 2^1000.
 pub(super) const MAX_LENGTH: i32 = 1000;
 
-/// Units are within 2^-800 to 2^800: then distances that are the least of single precision in the one are normal
-/// doubles in the other, and those that are not normal in the other are nothing in the one.
+/// Units are within 2^-800 to 2^800. So the least distances of single precision in one unit are normal doubles in the
+/// other, and subnormal distances in the other unit are negligible in the first.
 pub(super) const MAX_UNIT: i32 = 800;
 
-/// Where bounds of the entry are farther apart than such a part of the region, single precision is finer.
+/// If bounds of the entry are farther apart than this fraction of the region, single precision is finer.
 const FINE: f64 = power_of_two(-24);
 
 impl Approach<Entry> {
-    /// Takes a ray into the frame of the boxes, and there to where it enters their region.
+    /// Transforms a ray into the frame of the boxes, and moves it to its entry into their region.
     pub(super) fn of(ray: &Ray<DVec3>, region: &Region) -> Self {
         let frame = region.frame();
         let Some([_, exponent]) = lengths(ray, region) else { return Self::Unknown };
         let origin = [0, 1, 2].map(|axis| frame.coordinate(axis, ray.origin()[axis]));
-        // Rounded down: to the next double, where it underflows.
+        // Rounded down: to the next double, if it underflows.
         let [tmin, _] = Interval::exact(ray.tmin()).scaled(-exponent).ends();
         Self::on(ray, region, origin, tmin)
     }
 
-    /// The same from a point of the ray's line that is known within bounds, in the frame.
+    /// Moves a ray from a point of its line that is known within bounds, in the frame.
     #[inline]
     pub(super) fn on(ray: &Ray<DVec3>, region: &Region, origin: [Interval; 3], tmin: f64) -> Self {
         let Some([length, exponent]) = lengths(ray, region) else { return Self::Unknown };
@@ -76,7 +76,8 @@ impl Approach<Entry> {
         let Some(start) = entry(region, &origin, &direction, tmin) else { return Self::Misses };
         let origin = [0, 1, 2].map(|axis| origin[axis] + Interval::exact(start) * direction[axis]);
         let reach = f64::from(region.reach_in_frame());
-        // If what is left of a long way is rounded, it may end far from the region, even if nothing else is.
+        // If the difference of long vectors is rounded, it may end far from the region, even if no other operation is
+        // rounded.
         let most_near = (2.0 * reach).min(MAX_COORDINATE.into());
         let is_fine = origin
             .iter()
@@ -90,8 +91,8 @@ impl Approach<Entry> {
     }
 }
 
-/// The exponents of the direction's length, and of the unit of distance in the frame; `None` where they, or coordinates
-/// there, are beyond.
+/// Returns the exponents of the direction's length, and of the unit of distance in the frame; `None` if they, or
+/// coordinates there, are out of range.
 #[inline]
 fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
     let length = exponent_of(ray.direction().abs().max_element());
@@ -101,7 +102,8 @@ fn lengths(ray: &Ray<DVec3>, region: &Region) -> Option<[i32; 2]> {
     is_within.then_some([length, exponent])
 }
 
-/// Where a ray enters the region, or before that; not before `tmin`. `None` if it surely misses the region.
+/// Returns a lower bound of the distance at which a ray enters the region, at least `tmin`. `None` if it certainly
+/// misses the region.
 pub(in crate::geom) fn entry(
     region: &Region,
     origin: &[Interval; 3],
@@ -113,7 +115,7 @@ pub(in crate::geom) fn entry(
     for axis in 0..3 {
         let ([least, most], [slowest, fastest]) = (origin[axis].ends(), direction[axis].ends());
         let (lo, hi) = (f64::from(aabb.lo[axis]), f64::from(aabb.hi[axis]));
-        // least + t fastest >= lo where it comes from below, and the same with all signs changed.
+        // least + t fastest >= lo where it comes from below, and likewise with all signs changed.
         for (way, speed) in [(lo - most, fastest), (least - hi, -slowest)] {
             if way > 0.0 && speed > 0.0 {
                 start = start.max((way.next_down() / speed).next_down());
@@ -138,7 +140,7 @@ const NOTHING: f64 = power_of_two(-1000);
 const MARGIN: f64 = power_of_two(-800);
 
 impl Entered {
-    /// A ray that meets no box. The least origin of others is not infinite.
+    /// A ray that meets no box. Other rays do not have an infinite least origin.
     pub(super) const MISSING: Self = Self {
         slabs: Doubled { origin: [DVec3::INFINITY; 2], inverse: [DVec3::ONE; 2] },
         start: Interval::exact(0.0),
@@ -155,13 +157,13 @@ impl Entered {
         }
     }
 
-    /// Of an entry whose ray begins at some distance.
+    /// Prepares an entry whose ray starts at some distance.
     fn at(Entry { origin, direction, start, exponent }: Entry, before: Interval, tmin: f64) -> Self {
         let direction = DVec3::from(direction.map(|d| d.ends()[0]));
         Self::from(origin, direction, before + Interval::exact(start).scaled(exponent), exponent, tmin)
     }
 
-    /// Prepares a ray of which doubles tell too little.
+    /// Prepares a ray for which doubles do not suffice.
     #[cold]
     #[inline(never)]
     pub(super) fn slowly(ray: &Ray<DVec3>, region: &Region) -> Self {
@@ -185,7 +187,7 @@ impl Entered {
         Self::from(origin, direction, Interval::around(&start), frame.exponent() - length, ray.tmin())
     }
 
-    /// From bounds of the origin, and a direction that is exact where it is not next to nothing.
+    /// Creates the test from bounds of the origin, and a direction that is exact except for negligible components.
     fn from(origin: [Interval; 3], direction: DVec3, start: Interval, exponent: i32, tmin: f64) -> Self {
         let is_nothing = direction.abs().cmplt(DVec3::splat(NOTHING));
         let margin = |k: usize| if is_nothing.test(k) { MARGIN } else { 0.0 };
@@ -195,12 +197,13 @@ impl Entered {
         Self { slabs, start, exponent, tmin }
     }
 
-    /// Where the ray enters two boxes, if it does, in the units of the frame from its start on, rounded to single precision.
+    /// Returns the entries of the ray into two boxes, if it enters, in the units of the frame from its start on,
+    /// rounded to single precision.
     pub(in crate::geom) fn enter(&self, planes: &[[f32; 4]; 3]) -> [Option<f32>; 2] {
         self.met(planes).map(|met| met.map(|[near, _]| self.in_units(near)[0]))
     }
 
-    /// Bounds of a distance in these units, rounded: so a lesser distance has no greater bound.
+    /// Returns bounds of a distance in these units, rounded: so a smaller distance has no greater bound.
     pub(in crate::geom) fn in_units(&self, t: f64) -> [f32; 2] {
         let bounds = scaled(Interval::exact(t) - self.start, -self.exponent);
         bounds.ends().map(|x| (x as f32).clamp(0.0, f32::MAX))
@@ -213,11 +216,11 @@ impl Entered {
         Intervals { hit: met.map(|met| met.is_some()), near, far: far.map(|far| far.min(tmax)) }
     }
 
-    /// Where the ray enters and leaves two boxes, if it does; not later and not sooner than it is.
+    /// Returns bounds of the entries and exits of the ray for two boxes, if it enters.
     pub(super) fn met(&self, planes: &[[f32; 4]; 3]) -> [Option<[f64; 2]>; 2] {
         let Intervals { hit, near, far } = self.slabs.pair(planes, f64::INFINITY);
         [0, 1].map(|i| {
-            // Where a product underflows, it is off by less than the least number.
+            // If a product underflows, its error is less than the least number.
             let from_start = Interval::between([near[i].next_down(), far[i].next_up()]);
             let [near, far] =
                 if hit[i] { (scaled(from_start, self.exponent) + self.start).ends() } else { return None };
@@ -226,7 +229,7 @@ impl Entered {
     }
 }
 
-/// Times 2 to the power of any exponent.
+/// Multiplies by 2 to the power of any exponent.
 fn scaled(x: Interval, exponent: i32) -> Interval {
     let step = exponent.clamp(-MAX_LENGTH, MAX_LENGTH);
     if step == exponent { x.scaled(step) } else { scaled(x.scaled(step), exponent - step) }

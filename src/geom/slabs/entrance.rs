@@ -1,4 +1,4 @@
-//! Rays in single precision that cannot be tested in it from where they begin.
+//! Rays in single precision that must be tested from their entry into the region.
 
 use glam::{Vec3, Vec4};
 
@@ -9,26 +9,25 @@ use super::{Doubled, Intervals, near_and_far};
 use crate::geom::frame::{exponent_of, power_of_two};
 use crate::geom::{Interval, Ray, Region};
 
-/// Where a ray enters the region of all boxes, rounded outwards to what tests in single precision have room for.
-/// `[BOX-9]`
+/// The entry of a ray into the region of all boxes, rounded outwards for tests in single precision. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) struct Entrance {
     /// The greatest origin, and the least distance.
     most: Vec4,
     /// The least origin, and the greatest distance.
     least: Vec4,
-    /// Whether single precision will do from here on: neither differences of coordinates overflow, nor all distances,
-    /// nor a reciprocal.
+    /// Whether single precision suffices from here on: no difference of coordinates overflows, not all distances
+    /// overflow, and no reciprocal overflows.
     is_single: bool,
 }
 
-/// The entrance of a ray, if it is one that single precision does not take.
+/// Returns the entrance of a ray, if single precision does not support the ray.
 #[inline(always)]
 pub(in crate::geom) fn enter_if(is_wide: bool, ray: &Ray, region: &Region) -> Entrance {
     if is_wide { Entrance::of(ray, region) } else { Entrance { most: Vec4::ZERO, least: Vec4::ZERO, is_single: false } }
 }
 
-/// A ray from its entrance, likewise.
+/// Returns a ray from its entrance, if single precision does not support the ray.
 #[inline(always)]
 pub(in crate::geom) fn entered_if(is_wide: bool, ray: &Ray, region: &Region) -> Option<Box<FromEntrance>> {
     if is_wide { Some(entered(ray, region)) } else { None }
@@ -57,7 +56,7 @@ impl Entrance {
         Self { most: most.extend(start), least: least.extend(latest), is_single }
     }
 
-    /// The ray from there.
+    /// Returns the ray from there.
     pub(in crate::geom) fn ray(self, direction: Vec3, tmin: f32) -> FromEntrance {
         let Self { most, least, is_single } = self;
         if least.x == f32::INFINITY {
@@ -76,7 +75,7 @@ impl Entrance {
     }
 }
 
-/// A ray from where it enters the region of all boxes.
+/// A ray from its entry into the region of all boxes.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) enum FromEntrance {
     /// In single precision.
@@ -93,16 +92,17 @@ pub(in crate::geom) enum FromEntrance {
 }
 
 impl FromEntrance {
-    /// Where the ray enters and leaves two boxes, if it does, for hits whose distances are rounded to single precision.
+    /// Returns the entries and exits of the ray for two boxes, if it enters, for hits whose distances are rounded to
+    /// single precision.
     ///
-    /// Such a distance may be below where the box is entered. Rounding keeps the order, so entries are rounded before
-    /// they are compared with it.
+    /// Such a distance may be below the entry into the box. Rounding keeps the order, so entries are rounded before the
+    /// comparison.
     pub(in crate::geom) fn pair(&self, planes: &[[f32; 4]; 3]) -> [Option<[f32; 2]>; 2] {
         match self {
             Self::Single { origin, inverse, start: [start, latest], tmin } => {
                 let Intervals { hit, near, far } =
                     Intervals::of_lanes(near_and_far(planes, origin, inverse, 0.0, f32::INFINITY));
-                // From the entrance on, they are rounded.
+                // From the entrance on, distances are rounded.
                 [0, 1].map(|i| {
                     let [near, far] = [start + near[i].next_down(), latest + far[i].next_up()];
                     (hit[i] && *tmin <= far).then_some([near.max(*tmin), far])

@@ -9,32 +9,33 @@ use super::slabs64::{BEYOND, LEAST};
 use crate::geom::frame::power_of_two;
 use crate::geom::{Ray, Region};
 
-/// Bounds of a ray in the frame of the boxes, from where it begins or from where it enters their region. `[BOX-8]`
+/// Bounds of a ray in the frame of the boxes, from its start or from its entry into their region. `[BOX-8]`
 #[derive(Clone, Copy, Debug)]
 pub(in crate::geom) struct Framed {
-    /// For near planes and for far planes: where the ray that bounds it starts on each axis, and the reciprocals of its
+    /// For near planes and for far planes: the start of the bounding ray on each axis, and the reciprocals of its
     /// direction, which are negative where it runs backward.
     pub(in crate::geom) near: [Vec4; 2],
     pub(in crate::geom) far: [Vec4; 2],
-    /// The axes on which it runs backward, a bit each.
+    /// The axes on which it runs backward, one bit each.
     pub(in crate::geom) backward: u32,
-    /// Where it begins, in the units of the frame from the start on.
+    /// Its start, in the units of the frame from `start` on.
     pub(in crate::geom) tmin: f32,
     /// The units in a distance of 1, at least; and the start in them.
     pub(in crate::geom) unit: f64,
     pub(in crate::geom) start: f64,
 }
 
-/// A ray that begins within this many reaches of the frame's origin need not be moved to where it enters the region.
+/// A ray that starts within this number of reaches of the frame's origin need not be moved to its entry into the
+/// region.
 const NEAR: f64 = 4.0;
 
-/// At least the distance to the next float, as a part of a number.
+/// An upper bound of the distance to the next float, relative to a number.
 const STEP: f32 = f32::EPSILON;
 
-/// More than all that underflows, and nothing beside a region.
+/// Greater than all underflow, and negligible against a region.
 const TINY: f32 = f32::from_bits((127 - 120) << 23);
 
-/// Near planes are met not later than these parts of a reciprocal say, far planes not sooner. `[BOX-2]`
+/// Factors of a reciprocal: near planes are met no later, and far planes no sooner. `[BOX-2]`
 const PARTS: [f32; 2] = [1.0 - 2.0 * f32::EPSILON, 1.0 + 4.0 * f32::EPSILON];
 
 impl Framed {
@@ -48,11 +49,11 @@ impl Framed {
         start: 0.0,
     };
 
-    /// Takes a ray into the frame. Where doubles are not enough, [`Entered`] tests box by box.
+    /// Transforms a ray into the frame. If doubles do not suffice, [`Entered`] tests box by box.
     #[inline(always)]
     pub(in crate::geom) fn new(ray: &Ray<DVec3>, region: &Region) -> Result<Self, Box<Entered>> {
         let (origin, reach) = (region.frame().rounded(ray.origin()), region.reach_in_frame());
-        // Of a direction that is subnormal this is too little to be within.
+        // For a subnormal direction this is too small to be in the range.
         let length = (ray.direction().abs().max_element().to_bits() >> 52) as i32 - 1023;
         let exponent = region.frame().exponent() - length;
         let is_near = origin.abs().max_element() <= NEAR * f64::from(reach);
@@ -62,16 +63,16 @@ impl Framed {
         }
         let direction = ray.direction() * power_of_two(-length);
         let unit = power_of_two(-exponent);
-        // Less than the exact one, by a part and by what underflows.
+        // Less than the exact number, by a factor and by the underflow.
         let tmin = (ray.tmin() * unit * LESS - LEAST) as f32;
         Ok(Self { tmin: tmin.clamp(0.0, f32::MAX), unit: unit * BEYOND, ..Self::near_region(origin, direction) })
     }
 
-    /// By the rounded coordinates of an origin that is near, and a direction that is not.
+    /// Creates bounds from the rounded coordinates of a near origin, and a direction.
     #[inline(always)]
     fn near_region(origin: DVec3, direction: DVec3) -> Self {
         let (o, d) = (single(origin), single(direction));
-        // An origin takes one rounding in the frame, and half a float here. The ends are rounded too, so they are at
+        // An origin takes one rounding in the frame, and half a float here. The ends are also rounded, so they are at
         // least a float away.
         let off = o.abs() * STEP + TINY;
         let is_zero = BVec4A::new(direction.x == 0.0, direction.y == 0.0, direction.z == 0.0, true);
@@ -79,7 +80,7 @@ impl Framed {
         Self::within([o - off, o + off], d, [(speed - turned).max(Vec4::ZERO), speed + turned])
     }
 
-    /// From bounds of the origin, a direction, of which the signs count, and bounds of its magnitudes.
+    /// Creates bounds from those of the origin, the signs of a direction, and bounds of its magnitudes.
     #[inline(always)]
     fn within([least, most]: [Vec4; 2], direction: Vec4, [slowest, fastest]: [Vec4; 2]) -> Self {
         let normal = Vec4::splat(f32::MIN_POSITIVE);
@@ -103,7 +104,7 @@ impl Framed {
             Approach::Enters(Entry { origin, direction, start, exponent }) => {
                 let backward = ray.direction().cmplt(DVec3::ZERO);
                 let speed = [0, 1, 2].map(|k| if backward.test(k) { -direction[k] } else { direction[k] });
-                // Of a component that underflows the sign is kept.
+                // A component that underflows keeps its sign.
                 let signs = DVec3::select(backward, DVec3::NEG_ONE, DVec3::ONE);
                 let [origin, speed] = [origin, speed].map(|bounds| {
                     let ends = bounds.map(|x| x.ends_in_single());
@@ -116,11 +117,11 @@ impl Framed {
         }
     }
 
-    /// At least what is told of any box that a hit whose distance rounds to at most `t` is in.
+    /// Returns an upper bound of the reported distance of any box with a hit whose distance rounds to at most `t`.
     #[inline(always)]
     pub(in crate::geom) fn end(unit: f64, start: f64, t: f64) -> f32 {
         let end = t * unit - start;
-        // Nothing in the region is beyond the greatest float.
+        // No distance in the region is beyond the greatest float.
         ((end + LEAST) as f32).clamp(0.0, f32::MAX)
     }
 }

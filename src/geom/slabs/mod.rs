@@ -1,12 +1,11 @@
 //! Slab tests: whether a ray, up to its current end, meets a box.
 //!
-//! A box is skipped if the test says so, and then all triangles in it are. So what counts is that no box is skipped
-//! which the exact, closed interval of the ray touches. [`Plain`] does not promise it and leaks; [`TwoSided`] does for
-//! most rays; [`Directed`] does for every ray that [`Ray`] admits. Derivations: spec/exactness.md, `[BOX-1]` to
-//! `[BOX-7]`.
+//! If the test rejects a box, all triangles in it are skipped. So it must not reject a box that the exact, closed
+//! interval of the ray touches. [`Plain`] does not guarantee this and leaks; [`TwoSided`] guarantees it for most rays;
+//! [`Directed`] for every [`Ray`]. Derivations: spec/exactness.md, `[BOX-1]` to `[BOX-7]`.
 //!
-//! All forms are monotone under nesting: of two boxes, one in the other, the inner is not entered before the outer,
-//! for any ray. And `one` is `pair` of a box and itself, so that both agree in every bit.
+//! All forms are monotone under nesting: no ray enters an inner box before a box around it. And `one` is `pair` of a
+//! box and itself, so they agree in every bit.
 
 mod afar;
 mod centred;
@@ -35,40 +34,40 @@ use glam::{Vec4, Vec4Swizzles};
 
 use super::{Aabb, Ray, Region, Vector};
 
-/// What a slab test keeps of a ray.
+/// A slab test, prepared for a ray.
 pub trait Slabs: Copy + Debug {
     /// Positions and directions of the rays.
     type Vector: Vector;
 
-    /// Prepares a ray. `region` must hold all boxes that it is asked about.
+    /// Prepares a ray. `region` must contain all boxes of the tests.
     fn new(ray: &Ray<Self::Vector>, region: &Region) -> Self;
 
-    /// Where the ray, up to `tmax`, enters a box; `None` if it misses the box.
+    /// Returns the distance at which the ray, up to `tmax`, enters a box; `None` if it misses the box.
     #[inline]
     fn one(&self, aabb: &Aabb, tmax: Real<Self>) -> Option<Real<Self>> {
         let Intervals { hit: [hit, _], near: [near, _], .. } = self.pair(&aabb.planes_twice(), tmax);
         hit.then_some(near)
     }
 
-    /// Two boxes at once.
+    /// Tests two boxes at once.
     ///
-    /// `planes` holds for each axis lo and hi of the first box, then lo and hi of the second (Aila & Laine 2009).
+    /// `planes` has for each axis lo and hi of the first box, then lo and hi of the second (Aila & Laine 2009).
     fn pair(&self, planes: &[[f32; 4]; 3], tmax: Real<Self>) -> Intervals<Real<Self>>;
 }
 
 /// The parts of a ray in two boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Intervals<R> {
-    /// Which box is hit.
+    /// Whether each box is hit.
     pub hit: [bool; 2],
-    /// Where each is entered; meaningless where missed. Nothing in the box is hit before.
+    /// Distances of the entries; meaningless for missed boxes. No hit in the box is before.
     pub near: [R; 2],
-    /// Where each is left, or the ray ends; meaningless where missed. Nothing in the box is hit beyond.
+    /// Distances of the exits, or of the ray's end; meaningless for missed boxes. No hit in the box is beyond.
     pub far: [R; 2],
 }
 
 impl Intervals<f32> {
-    /// From what [`near_and_far`] gives: a box is hit if it is not left before it is entered.
+    /// Converts the result of [`near_and_far`]: a box is hit if its exit is not before its entry.
     #[inline(always)]
     fn of_lanes([near, far]: [Vec4; 2]) -> Self {
         let hit = near.cmple(far.yxwz()).bitmask();
@@ -79,10 +78,10 @@ impl Intervals<f32> {
 /// Near and far of a box that is missed.
 const MISSED: [f32; 2] = [f32::INFINITY, f32::NEG_INFINITY];
 
-/// The numbers that a slab test calculates with.
+/// The type of a slab test's numbers.
 pub type Real<B> = <<B as Slabs>::Vector as Vector>::Real;
 
-/// Where two boxes are entered (even lanes) and left (odd lanes), from `tmin` to `tmax`, each plane's distance being
+/// Returns entries (even lanes) and exits (odd lanes) for two boxes, from `tmin` to `tmax`; each plane's distance is
 /// `(plane - origin) * inverse`.
 ///
 /// A plane through the origin of a ray that runs along it gives 0 times infinity, a NaN. The order of operands drops
@@ -93,23 +92,25 @@ fn near_and_far(planes: &[[f32; 4]; 3], origin: &[Vec4; 3], inverse: &[Vec4; 3],
     for axis in 0..3 {
         let t = (Vec4::from_array(planes[axis]) - origin[axis]) * inverse[axis];
         let other = t.yxwz();
-        // In the even lanes `t` is of lo and `other` of hi; there only `near` is used, in the odd lanes only `far`.
+        // In the even lanes `t` is that of lo and `other` that of hi; there only `near` is used, in the odd lanes only
+        // `far`.
         near = greater(lesser(other, t), near);
         far = lesser(greater(other, t), far);
     }
     [near, far]
 }
 
-/// The lesser number in each lane; that of `b` if either is a NaN.
+/// Returns the lesser number in each lane; that of `b` if either is a NaN.
 ///
-/// This is what SSE's instruction does, and so `Vec4::min` where it stands for that; elsewhere `Vec4::min` leaves open
-/// what becomes of a NaN. Written with comparisons only, LLVM merges the four operations of an axis into slower ones.
+/// This is the behaviour of SSE's instruction, and of `Vec4::min` on targets with SSE; on other targets `Vec4::min`
+/// leaves NaN unspecified. If it is written with comparisons only, LLVM merges the four operations of an axis into
+/// slower ones.
 #[inline(always)]
 fn lesser(a: Vec4, b: Vec4) -> Vec4 {
     if cfg!(all(target_arch = "x86_64", target_feature = "sse2")) { a.min(b) } else { Vec4::select(a.cmplt(b), a, b) }
 }
 
-/// The greater number in each lane; that of `b` if either is a NaN.
+/// Returns the greater number in each lane; that of `b` if either is a NaN.
 #[inline(always)]
 fn greater(a: Vec4, b: Vec4) -> Vec4 {
     if cfg!(all(target_arch = "x86_64", target_feature = "sse2")) { a.max(b) } else { Vec4::select(a.cmpgt(b), a, b) }

@@ -8,33 +8,33 @@ use crate::geom::frame::power_of_two;
 use crate::geom::{Ray, Region};
 
 /// Floats by which a reciprocal is moved: one more than for rays in single precision, so that a near distance is below
-/// the exact one, and not only below the nearest float of it. `[BOX-4]`
+/// the exact distance, and not only below its nearest float. `[BOX-4]`
 pub const STRICT_STEPS: u32 = 3;
 
-/// A slab test in single precision, for rays in double precision, that skips no box which the ray touches. `[BOX-8]`
+/// A slab test in single precision, for rays in double precision, that skips no box that the ray touches. `[BOX-8]`
 ///
-/// The ray is taken into the [frame](crate::geom::Frame) of the boxes, and there to where it enters the region of all
-/// boxes. So single precision is as fine as the boxes are, wherever the ray begins. What rounding moves is enclosed:
-/// for lower planes the ray begins at the greatest origin that it may have, and for upper planes at the least, as in
-/// [`EnclosedSlabs`](super::EnclosedSlabs); so a box takes the same instructions as for rays in single precision.
+/// The ray is transformed into the [frame](crate::geom::Frame) of the boxes, and moved there to its entry into the
+/// region of all boxes. So single precision is as fine as the boxes, for any start of the ray. Rounding errors are
+/// enclosed: for lower planes the ray starts at its greatest possible origin, and for upper planes at the least, as in
+/// [`EnclosedSlabs`](super::EnclosedSlabs). So a box takes the same instructions as for rays in single precision.
 ///
-/// Where doubles cannot tell where it enters, and where the direction leaves 2^-1000 to 2^1000 or the unit of distance
-/// in the frame 2^-800 to 2^800, boxes are tested in double precision, which is slow. `[BOX-9]`
+/// Boxes are tested in double precision, which is slow, if doubles do not determine the entry. This also applies if the
+/// direction leaves 2^-1000 to 2^1000, or the unit of distance in the frame leaves 2^-800 to 2^800. `[BOX-9]`
 #[derive(Clone, Copy, Debug)]
 pub struct Slabs64 {
     /// Greatest and least origin, in the lanes of lo and hi, twice.
     origin: [Vec4; 3],
     inverse: [Vec4; 3],
-    /// Where the ray enters the region, in the units of distance of the lanes.
+    /// Distance of the entry into the region, in the units of distance of the lanes.
     start: f64,
     /// Those units of distance, and their reciprocal.
     unit: [f64; 2],
     tmin: f64,
-    /// What is slow.
+    /// The slow test.
     entered: Option<Entered>,
 }
 
-/// What an end is moved by, in parts of itself: at least to the next double.
+/// The factor that moves an end: at least to the next double.
 pub(super) const BEYOND: f64 = 1.0 + f64::EPSILON;
 
 /// The least number of single precision, 2^-149.
@@ -69,7 +69,7 @@ impl Slabs for Slabs64 {
         }
         let Intervals { hit, near, far } =
             Intervals::of_lanes(near_and_far(planes, &self.origin, &self.inverse, 0.0, self.end(tmax)));
-        // Where a product underflows, it is off by less than the least number.
+        // If a product underflows, its error is less than the least number.
         let near = near.map(|near| self.distance(f64::from(near) - LEAST).max(self.tmin));
         let far = far.map(|far| self.distance(f64::from(far) + LEAST).min(tmax));
         Intervals { hit, near, far }
@@ -77,33 +77,33 @@ impl Slabs for Slabs64 {
 }
 
 impl Slabs64 {
-    /// A distance, given in units of the lanes from the start on.
+    /// Converts a distance from units of the lanes, from the start on.
     #[inline(always)]
     fn distance(&self, from_start: f64) -> f64 {
         (from_start + self.start) * self.unit[0]
     }
 
-    /// At least what is told of any box that a hit whose distance rounds to at most `tmax` is in.
+    /// Returns an upper bound of the reported distance of any box with a hit whose distance rounds to at most `tmax`.
     #[inline(always)]
     fn end(&self, tmax: f64) -> f32 {
         let end = tmax * (self.unit[1] * BEYOND) - self.start + LEAST;
-        // Rounded up: a box is told to end here, and a hit in it may be at `tmax`.
+        // Rounded up: the reported end of a box is here, and a hit in it may be at `tmax`.
         let rounded = end as f32;
         let end = if f64::from(rounded) < end { rounded.next_up() } else { rounded };
-        // Nothing in the region is beyond the greatest float.
+        // No distance in the region is beyond the greatest float.
         end.min(f32::MAX)
     }
 }
 
-/// It gets the ray by value, so that nothing points into a [`Slabs64`], which then can be in registers.
+/// It receives the ray by value, so nothing points into a [`Slabs64`], which then can be in registers.
 #[cold]
 #[inline(never)]
 fn pair_slow(entered: Entered, planes: &[[f32; 4]; 3], tmax: f64) -> Intervals<f64> {
     entered.pair(planes, tmax)
 }
 
-/// Where the ray starts, and the reciprocals of its direction: of each axis in the lanes of lo and hi, twice. `axis`
-/// gives bounds of the origin and of the speed, and whether the ray runs backward.
+/// Returns starts and reciprocals of directions: for each axis in the lanes of lo and hi, twice. `axis` gives bounds of
+/// the origin and of the speed, and whether the ray runs backward.
 #[inline]
 pub(super) fn lanes(axis: impl Fn(usize) -> ([f32; 2], [f32; 2], bool)) -> [[Vec4; 3]; 2] {
     let planes = [0, 1, 2].map(|k| for_planes(axis(k)));
@@ -111,7 +111,7 @@ pub(super) fn lanes(axis: impl Fn(usize) -> ([f32; 2], [f32; 2], bool)) -> [[Vec
     [0, 1].map(|i| planes.map(|of_planes| twice(of_planes[i])))
 }
 
-/// For the lower and the upper plane of an axis: where the ray starts, and the reciprocal of its direction.
+/// Returns for the lower and the upper plane of an axis the start of the ray and the reciprocal of its direction.
 fn for_planes(([least, mut most], [slowest, fastest], is_backward): ([f32; 2], [f32; 2], bool)) -> [[f32; 2]; 2] {
     let steps = STRICT_STEPS;
     let near = f32::from_bits(fastest.max(f32::MIN_POSITIVE).recip().to_bits() - steps);
@@ -119,7 +119,7 @@ fn for_planes(([least, mut most], [slowest, fastest], is_backward): ([f32; 2], [
     if slowest >= f32::MIN_POSITIVE {
         far = f32::from_bits(slowest.recip().to_bits() + steps);
     } else if is_backward {
-        // The far plane is the lower one, where 0 times infinity would count for the near one.
+        // The far plane is the lower one, where 0 times infinity would apply to the near plane.
         most = most.next_up();
     }
     [[most, least], if is_backward { [-far, -near] } else { [near, far] }]

@@ -1,4 +1,4 @@
-//! The nearest point of a triangle, and how far it is.
+//! The nearest point of a triangle, and its distance.
 
 use dashu_int::ops::{BitTest, DivRem, SquareRootRem, UnsignedAbs};
 use dashu_int::{IBig, Sign, UBig};
@@ -90,17 +90,18 @@ pub fn unit_normal<S: Number>(triangle: [[S; 3]; 3]) -> Option<[S; 3]> {
 /// ```
 pub fn round_root<S: Number>(x: &RBig) -> S {
     let square = x.numerator().unsigned_abs();
-    // So many bits after the point that the root has more than a double and a middle of two have.
+    // Bits after the binary point, so that the root has more bits than a double and a midpoint of two doubles.
     let places = (2 * ROOT_BITS + x.denominator().bit_len()).saturating_sub(square.bit_len()).div_ceil(2);
     let (whole, rest) = (square << (2 * places)).div_rem(x.denominator());
     let (root, more) = whole.sqrt_rem();
-    // An integer and a half stands for all between two integers, where there is neither a float nor a middle of two.
+    // An integer and a half represents all numbers between two integers, where there is neither a float nor a midpoint
+    // of two floats.
     let is_exact = rest.is_zero() && more.is_zero();
     let twice = (root << 1) + UBig::from(u8::from(!is_exact));
     S::nearest(&RBig::from_parts(twice.into(), UBig::ONE << (places + 1)))
 }
 
-/// Bits of a root before it is rounded, at least.
+/// Least number of bits of a root before it is rounded.
 const ROOT_BITS: usize = 64;
 
 /// The corners' weights in the nearest point, over one denominator, and the square of its distance.

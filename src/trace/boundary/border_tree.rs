@@ -1,24 +1,24 @@
-//! The fan of a border, from afar in few steps.
+//! Solid angles of a border, with few steps for distant parts.
 //!
 //! # Idea
 //!
 //! A border consists of loops. Let a loop be in a ball around c. The triangles from c to its edges are a surface in that
-//! ball with the same border, so if the ray from q along e misses the ball, the loop's fan from -e is the solid angle of
-//! this surface: the integral of (x - q)·dA / |x - q|³. From afar its Taylor polynomial of second degree about c is enough,
-//! which needs the surface's area vector ∫ dA and its moments ∫ x dA and ∫ x x dA (Barill et al. 2018, "Fast winding numbers
-//! for soups and clouds", do so for all triangles of a mesh). Part of a loop is closed by its chord, whose own fan is then
-//! taken away.
+//! ball with the same border. If the ray from q along e misses the ball, the loop's fan from -e is the solid angle of this
+//! surface: the integral of (x - q)·dA / |x - q|³. At a distance, its Taylor polynomial of second degree around c suffices.
+//! The coefficients are the surface's area vector ∫ dA and its moments ∫ x dA and ∫ x x dA (Barill et al. 2018, "Fast winding
+//! numbers for soups and clouds", use them for all triangles of a mesh). The chord of a path, from its end to its start,
+//! makes it a loop; the fan of the chord is subtracted again.
 //!
 //! # Error
 //!
-//! The k-th derivative of 1/|v| in directions of length 1 is at most k! / |v|^(k+1), as Legendre polynomials are at most 1.
-//! So with d the distance of c, r the radius of the ball and s = r / d < 1, the terms of degree k >= 3, which are left out,
-//! add up to at most ∫ |dA| Σ (k + 1) |x|^k / d^(k+2) <= ∫ |x|² |dA| / d^4 · s (4 - 3s) / (1 - s)². A node is taken if that
-//! is within its part of what is left of the tolerance: its share of the edges that are left, or some percent. `[WINDING-3]`
+//! The k-th derivative of 1/|v| in directions of length 1 is at most k! / |v|^(k+1), because Legendre polynomials are at
+//! most 1. Let d be the distance of c, r the radius of the ball and s = r / d < 1. The omitted terms, of degree k >= 3, add
+//! up to at most ∫ |dA| Σ (k + 1) |x|^k / d^(k+2) <= ∫ |x|² |dA| / d^4 · s (4 - 3s) / (1 - s)². A node is replaced by its
+//! polynomial if this bound is within its part of the remaining tolerance. `[WINDING-3]`
 //!
 //! # Cost
 //!
-//! The moments of a node are sums over its edges, so the tree takes n log n steps for n edges.
+//! The moments of a node are sums over its edges, so the tree of n edges takes O(n log n).
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -30,12 +30,12 @@ use super::Border;
 
 type Edge = [DVec3; 2];
 
-/// A hierarchy of the edges of a border: of its loops, and of the parts of each.
+/// A hierarchy over the edges of a border: its loops, and the paths of each loop.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::trace) struct BorderTree {
-    /// Loop by loop.
+    /// Consecutive within each loop.
     edges: Vec<Edge>,
-    /// Each is before its first child; the root is the first.
+    /// The first child follows its parent; the root comes first.
     nodes: Vec<Node>,
 }
 
@@ -43,13 +43,13 @@ pub(in crate::trace) struct BorderTree {
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Node {
     edges: Range<usize>,
-    /// The second child; none of a leaf.
+    /// The second child; `None` in a leaf.
     second: Option<usize>,
-    /// From the end of a path to its start.
+    /// The edge from the end of a path to its start.
     chord: Option<Edge>,
     center: DVec3,
     radius: f64,
-    /// The integrals of dA, x dA, x x dA, |x|² dA, |dA| and |x|² |dA| over the triangles from the center to edges and chord.
+    /// Integrals over the triangles from the center to edges and chord: dA, x dA, x x dA, |x|² dA, |dA| and |x|² |dA|.
     area: DVec3,
     square: DMat3,
     cube: Cubic,
@@ -58,21 +58,22 @@ struct Node {
     spread: f64,
 }
 
-/// A homogeneous polynomial of third degree, by the coefficients of xxx, yyy, zzz, xxy, xxz, yyx, yyz, zzx, zzy and xyz.
+/// A homogeneous polynomial of third degree: the coefficients of xxx, yyy, zzz, xxy, xxz, yyx, yyz, zzx, zzy and xyz.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Cubic([f64; 10]);
 
-/// Edges of a leaf.
+/// Most edges of a leaf.
 const LEAF: usize = 4;
 
-/// The part of what is left of the tolerance that a node may take, however few edges it has.
+/// The part of the remaining tolerance that any node may use. A node with more than this part of the remaining edges may
+/// use that part.
 const LARGEST: f64 = 1.0 / 64.0;
 
 /// Distances whose fourth powers neither over- nor underflow.
 const USUAL: RangeInclusive<f64> = 1e-60..=1e60;
 
 impl BorderTree {
-    /// Arranges a border.
+    /// Builds the hierarchy of a border.
     pub(super) fn new(borders: &[Border], at: impl Fn(u32) -> DVec3) -> Self {
         let mut tree = Self { edges: Vec::new(), nodes: Vec::new() };
         let mut loops: Vec<Vec<Edge>> =
@@ -83,8 +84,8 @@ impl BorderTree {
         tree
     }
 
-    /// Adds up the parts of the border: shows an edge that is to be taken exactly, and says what the others make of the view.
-    /// That is off by at most `tolerance`. `e` has the length 1.
+    /// Returns the fan of the border from the opposite of `e`, of length 1, except for the edges passed to `show`. The result
+    /// is a part of all directions, with an error of at most `tolerance`.
     pub(in crate::trace) fn fan(&self, point: DVec3, e: DVec3, tolerance: f64, mut show: impl FnMut(Edge)) -> f64 {
         let (mut sum, mut open) = (0.0, Vec::new());
         open.extend((!self.nodes.is_empty()).then_some(0));
@@ -100,7 +101,7 @@ impl BorderTree {
                 (Some([part, off]), _) => {
                     sum += part;
                     tolerance -= off;
-                    // The path is the loop, and its chord backwards.
+                    // The path is the loop plus its reversed chord.
                     node.chord.iter().for_each(|&[end, start]| show([start, end]));
                 }
                 (None, Some(second)) => open.extend([second, at + 1]),
@@ -152,7 +153,7 @@ impl BorderTree {
 }
 
 impl Node {
-    /// All but where the edges and the second child are.
+    /// Computes all fields except `edges` and `second`.
     fn of(edges: &[Edge], chord: Option<Edge>) -> Self {
         let [lo, hi] = bounds(edges.iter().flatten().copied());
         let center = lo.midpoint(hi);
@@ -176,11 +177,11 @@ impl Node {
         node
     }
 
-    /// The part of the view and what it may be off by, if that is at most `allowed` and the ball is not on the ray.
+    /// Returns the part of all directions and the bound of its error, if this is at most `allowed` and the ray misses the ball.
     fn seen_from(&self, point: DVec3, e: DVec3, allowed: f64) -> Option<[f64; 2]> {
         let way = self.center - point;
         let square = way.length_squared();
-        // Most are so near.
+        // Most nodes are this close.
         if square < 2.0 * self.radius * self.radius {
             return None;
         }
@@ -190,7 +191,7 @@ impl Node {
         let left_out = self.spread / square * size * (4.0 - 3.0 * size) / (1.0 - size).powi(2);
         let rounded = (self.edges.len() as f64 + 64.0) * 16.0 * f64::EPSILON * self.surface;
         let off = (left_out + rounded) / square / (4.0 * PI);
-        // Not so for a NaN.
+        // False for a NaN.
         let is_fit = USUAL.contains(&distance) && beside > self.radius + distance * 1e-12;
         if !(is_fit && off <= allowed) {
             return None;
@@ -232,8 +233,8 @@ fn bounds(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[lo, hi], p| [lo.min(p), hi.max(p)])
 }
 
-/// The loops of a border, in which no vertex is met twice. As many edges begin at a vertex as end there: it is so for the
-/// edges of one face, and edges of opposite directions cancel in pairs.
+/// Decomposes a border into loops, in which no vertex occurs twice. Equal numbers of edges begin and end at each vertex: this
+/// holds for the edges of one face, and edges of opposite directions cancel in pairs.
 fn loops(borders: &[Border]) -> Vec<Vec<[u32; 2]>> {
     let mut ways: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for &Border { ends: [from, to], faces } in borders {
@@ -241,7 +242,7 @@ fn loops(borders: &[Border]) -> Vec<Vec<[u32; 2]>> {
     }
     let mut loops = Vec::new();
     while let Some((&start, _)) = ways.first_key_value() {
-        // Of the vertices on the path, at which edge of it they are.
+        // The index of the path's edge at each of its vertices.
         let (mut path, mut places, mut from) = (Vec::new(), BTreeMap::from([(start, 0)]), start);
         while let Some(to) = ways.get_mut(&from).and_then(Vec::pop) {
             path.push([from, to]);

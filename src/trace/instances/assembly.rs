@@ -1,4 +1,4 @@
-//! What is placed where.
+//! Assemblies of placed objects.
 
 use std::sync::Arc;
 
@@ -9,30 +9,30 @@ use crate::bvh::{BuildError, BuildOptions, Bvh, Primitives, WideBvh};
 use crate::geom::lanes::Precision;
 use crate::geom::{Aabb, AffineMap, Frame, Interval, Real, Triangle, Vector, check_environment};
 
-/// Objects that are made of other objects: hierarchies over meshes, and groups of placed objects that came before. So
-/// no object contains itself. A clone shares all hierarchies with the original.
+/// Objects that consist of other objects: hierarchies over meshes, and groups of placed objects that were added
+/// earlier. So no object contains itself. A clone shares all hierarchies with the original.
 ///
-/// All is in single precision, or with [`DVec3`](glam::DVec3) in double. See [`InstanceTracer`](super::InstanceTracer) for
-/// an example.
+/// All numbers are in single precision, or with [`DVec3`](glam::DVec3) in double precision. See
+/// [`InstanceTracer`](super::InstanceTracer) for an example.
 #[derive(Clone, Debug)]
 pub struct Assembly<V: Vector = Vec3> {
     parts: Vec<Part<V>>,
 }
 
-/// An object of an [`Assembly`], by its place there. In another assembly it stands for another object, or for none.
+/// An object of an [`Assembly`], by its index. In another assembly it denotes another object, or none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Object(u32);
 
-/// An object and where it is placed.
+/// An object and its placement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instance<R: Real = f32> {
-    /// What is placed.
+    /// The placed object.
     pub object: Object,
-    /// From the object's space to that of the group.
+    /// The map from the object's space to that of the group.
     pub affine: AffineMap<R>,
 }
 
-/// Why instances are not a group.
+/// Errors of [`Assembly::add_group`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum AssemblyError {
     /// The assembly has no such object.
@@ -42,7 +42,7 @@ pub enum AssemblyError {
         instance: usize,
         /// The object that it places.
         object: u32,
-        /// How many objects there are.
+        /// Number of objects in the assembly.
         objects: usize,
     },
     /// The box of the image has an end beyond the greatest float.
@@ -51,7 +51,7 @@ pub enum AssemblyError {
         /// Index of the instance.
         instance: usize,
     },
-    /// The object of an instance is nested too deeply already.
+    /// The object of an instance already has the greatest number of levels.
     #[error("instance {instance}: its object has {levels} levels, and a group may have {max}", max = Assembly::MAX_LEVELS)]
     TooManyLevels {
         /// Index of the instance.
@@ -59,7 +59,7 @@ pub enum AssemblyError {
         /// Levels of its object.
         levels: u32,
     },
-    /// The hierarchy over the instances cannot be built. Where the error speaks of triangles, these are instances.
+    /// The hierarchy over the instances cannot be built. The triangles in the error's text are instances.
     #[error(transparent)]
     Build(#[from] BuildError),
 }
@@ -86,12 +86,12 @@ impl Assembly {
 }
 
 impl<V: Vector> Assembly<V> {
-    /// An assembly without objects.
+    /// Creates an assembly without objects.
     pub const fn new() -> Self {
         Self { parts: Vec::new() }
     }
 
-    /// Adds a mesh by its hierarchy, its own or one that others share.
+    /// Adds a mesh by its hierarchy, owned or shared.
     pub fn add_mesh(&mut self, bvh: impl Into<Arc<Bvh<Triangle<V>>>>) -> Object {
         self.add(Part::Mesh(bvh.into()))
     }
@@ -99,7 +99,8 @@ impl<V: Vector> Assembly<V> {
     /// Adds a mesh by a hierarchy of eight children. The answers are those of [`add_mesh`](Self::add_mesh), bit for
     /// bit. `[INST-6]`
     ///
-    /// In an assembly in double precision, where the maps are in double, its triangles may be in single.
+    /// In an assembly in double precision, whose maps are in double precision, its triangles may be in single
+    /// precision.
     pub fn add_wide<W: Precision>(&mut self, bvh: impl Into<Arc<WideBvh<8, W>>>) -> Object
     where
         V: From<W>,
@@ -108,11 +109,11 @@ impl<V: Vector> Assembly<V> {
         self.add(Part::Wide(bvh))
     }
 
-    /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box holds the
+    /// Adds a group of placed objects of this assembly, and builds a hierarchy over their boxes. Each box contains the
     /// exact image of all triangles of its instance. `[INST-2]`
     ///
     /// # Errors
-    /// What [`AssemblyError`] lists; then nothing is added.
+    /// [`AssemblyError`]; then nothing is added.
     pub fn add_group(
         &mut self,
         instances: Vec<Instance<V::Real>>,
@@ -140,7 +141,7 @@ impl<V: Vector> Assembly<V> {
         Ok(self.add(Part::Group(Arc::new(Group { instances, bvh, levels: below + 1 }))))
     }
 
-    /// How many levels an object has: 1 for a mesh, 0 for an object that is not of this assembly.
+    /// Returns the number of levels of an object: 1 for a mesh, 0 for an object that is not of this assembly.
     pub fn levels(&self, object: Object) -> u32 {
         self.part(object).map_or(0, Part::levels)
     }
@@ -149,7 +150,7 @@ impl<V: Vector> Assembly<V> {
         self.parts.get(object.index())
     }
 
-    /// All objects, in the order in which they were added.
+    /// Returns all objects, in the order in which they were added.
     pub(super) fn parts(&self) -> &[Part<V>] {
         &self.parts
     }
@@ -167,14 +168,14 @@ impl<V: Vector> Default for Assembly<V> {
 }
 
 impl Object {
-    /// Its place in the order in which objects were added.
+    /// Returns its position in the order in which objects were added.
     pub(super) fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 impl<V: Vector> Part<V> {
-    /// Of all that is in it.
+    /// Returns bounds of the whole object.
     fn bounds(&self) -> [Interval; 3] {
         match self {
             Self::Mesh(bvh) => bvh.frame().leave(&bvh.bounds()),
@@ -191,14 +192,14 @@ impl<V: Vector> Part<V> {
     }
 }
 
-/// The boxes of instances: leaves of their hierarchy hold nothing but the indices.
+/// The boxes of instances: leaves of their hierarchy hold only the indices.
 struct Boxes {
     boxes: Vec<Aabb>,
     frame: Frame,
 }
 
 impl Boxes {
-    /// In a frame of their own, as those of a mesh are. `[FRAME-1]`
+    /// Creates them in a separate frame, as for a mesh. `[FRAME-1]`
     fn of<V: Vector>(images: &[[Interval; 3]]) -> Self {
         let corner = |image: &[Interval; 3], end: usize| {
             V::from_components(image.map(|bounds| V::Real::rounded(bounds.ends()[end])))

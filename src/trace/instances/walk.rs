@@ -1,4 +1,4 @@
-//! A ray on its way through the hierarchy of one object, as a visitor.
+//! The visitor of a ray in the hierarchy of one object.
 
 use std::cmp::Ordering;
 
@@ -13,29 +13,29 @@ use crate::trace::level::Level;
 use crate::trace::{BoxQuery, OwnBoxes};
 use crate::tree::{Node, Topology};
 
-/// What one ray carries through all levels.
+/// The state of one ray through all levels.
 #[derive(Debug)]
 pub(super) struct Search<'r, V: Vector> {
     /// The ray itself.
     pub(super) ray: &'r ExactRay<V>,
     pub(super) wanted: Wanted,
-    /// The distance of the best hit, or the ray's end: hits beyond are not wanted.
+    /// The distance of the best hit, or the ray's end: hits beyond are ignored.
     pub(super) t: V::Real,
-    /// The same, rounded up: boxes beyond are left out.
+    /// This distance, rounded up: boxes beyond are skipped.
     pub(super) end: f32,
-    /// The best hit so far, or all of them.
+    /// The best hit so far, or all hits.
     pub(super) found: Vec<Found<V>>,
-    /// The instances that it is in, from the outermost on.
+    /// The current instances, outermost first.
     pub(super) path: Vec<u32>,
-    /// Memory of the traversals that have a stack, for each level that has asked for it.
+    /// Memory of the traversals with a stack, for each level that has requested it.
     memory: Vec<Vec<Node>>,
     pub(super) counts: InstanceCounts,
 }
 
-/// The hits that a search wants.
+/// The hits that a search requests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
-    /// Whether there is one: its distance is not computed.
+    /// Only whether there is a hit: its distance is not computed.
     Any,
     AnyHit,
     Closest,
@@ -43,18 +43,18 @@ pub(super) enum Wanted {
 }
 
 impl Wanted {
-    /// Whether the first hit ends the search.
+    /// Returns whether the first hit ends the search.
     pub(super) const fn is_any(self) -> bool {
         matches!(self, Self::Any | Self::AnyHit)
     }
 }
 
-/// A triangle of an instance that is hit.
+/// A hit triangle of an instance.
 #[derive(Clone, Debug)]
 pub(super) struct Found<V: Vector> {
     /// The distance, rounded.
     pub(super) t: V::Real,
-    /// The instances from the outermost on.
+    /// The instances, outermost first.
     pub(super) path: Vec<u32>,
     pub(super) prim: u32,
     pub(super) triangle: Triangle<V>,
@@ -70,19 +70,19 @@ impl<'r, V: Vector> Search<'r, V> {
         Self { ray, wanted, t, end, found, path, memory, counts: InstanceCounts::default() }
     }
 
-    /// Where the ray begins, rounded down.
+    /// Returns the start of the ray, rounded down.
     pub(super) fn tmin(&self) -> f32 {
         let [tmin, _] = self.ray.interval();
         let [tmin, _] = tmin.ends_in_single();
         tmin
     }
 
-    /// Whether nothing is left to be found.
+    /// Returns whether the search is complete.
     pub(super) fn is_over(&self) -> bool {
         self.wanted.is_any() && !self.found.is_empty()
     }
 
-    /// Takes a hit.
+    /// Records a hit.
     #[inline]
     fn take(&mut self, t: V::Real, held: &LeafTriangle<Triangle<V>>, test: &kernel::EnclosedTest<V::Real>) {
         let LeafTriangle { shape: triangle, prim } = *held;
@@ -97,13 +97,13 @@ impl<'r, V: Vector> Search<'r, V> {
     }
 }
 
-/// What the leaves of a hierarchy hold, and a ray in the space of it.
+/// The leaf contents of a hierarchy, and a ray in its space.
 pub(super) trait Leaves<S, V: Vector> {
-    /// What a leaf holds meets the ray.
+    /// Tests the ray against the contents of a leaf.
     fn meet(&mut self, held: &LeafTriangle<S>, search: &mut Search<'_, V>);
 }
 
-/// Traverses a hierarchy with a ray in the space of it.
+/// Traverses a hierarchy with a ray in its space.
 pub(super) fn walk<S, V: Vector>(
     bvh: &Bvh<S>,
     level: &Level,
@@ -121,7 +121,7 @@ pub(super) fn walk<S, V: Vector>(
     }
 }
 
-/// A ray on its way.
+/// The visitor of a ray.
 struct Walk<'s, 'r, S, L, V: Vector> {
     bvh: &'s Bvh<S>,
     slabs: EnclosedSlabs,
@@ -166,10 +166,10 @@ impl<S, L: Leaves<S, V>, V: Vector> BoxQuery for Walk<'_, '_, S, L, V> {
 /// Triangles of a mesh.
 pub(super) struct Triangles<'s, V: Vector> {
     tracer: &'s InstanceTracer<V>,
-    /// In the space of the mesh.
+    /// The ray in the space of the mesh.
     ray: &'s EnclosedRay,
     region: &'s Region,
-    /// Prepared when the first triangle comes: a ray that misses everything does not pay for it.
+    /// Prepared at the first triangle: a ray that misses everything does not pay for it.
     test: Option<kernel::EnclosedTest<V::Real>>,
 }
 
@@ -182,7 +182,7 @@ impl<V: Vector> Leaves<Triangle<V>, V> for Triangles<'_, V> {
 }
 
 impl<'s, V: Vector> Triangles<'s, V> {
-    /// Those of a mesh, which `region` has to hold.
+    /// Creates the tests of a mesh, which `region` must contain.
     pub(super) const fn new(tracer: &'s InstanceTracer<V>, ray: &'s EnclosedRay, region: &'s Region) -> Self {
         Self { tracer, ray, region, test: None }
     }
@@ -190,7 +190,7 @@ impl<'s, V: Vector> Triangles<'s, V> {
     /// The exact test of a triangle.
     #[inline(always)]
     pub(super) fn settle(&mut self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
-        // What the ray leaves is met at 0, which takes all bounds to find out.
+        // The ray meets the triangle that it leaves at 0. Bounds would need all stages to decide this.
         if search.ray.leaves(&held.shape, || self.tracer.maps(&search.path)) {
             return;
         }
@@ -218,7 +218,7 @@ impl<'s, V: Vector> Triangles<'s, V> {
     }
 }
 
-/// Whether a hit at the rounded distance of the best one so far comes before it. `[INST-6]`
+/// Returns whether a hit at the rounded distance of the best hit so far comes before it. `[INST-6]`
 #[cold]
 #[inline(never)]
 fn comes_first<V: Vector>(
@@ -252,7 +252,7 @@ impl<V: Vector> Found<V> {
     }
 }
 
-/// What bounds leave open.
+/// Decides the cases that bounds leave undecided.
 #[cold]
 #[inline(never)]
 fn ask_truth<V: Vector>(

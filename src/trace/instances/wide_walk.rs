@@ -1,4 +1,4 @@
-//! A ray on its way through the wide hierarchy of a mesh.
+//! The visitor of a ray in the wide hierarchy of a mesh.
 
 use std::fmt::Debug;
 
@@ -14,22 +14,22 @@ use crate::trace::tracer::{LaneRanks, with_memory};
 use crate::tree::Node;
 use crate::wide::{self, Method, Supply, Tables, Topology, Unsupported, Wanted};
 
-/// A traversal and its tables. The hierarchy that they were made for comes with each ray.
+/// A traversal and its tables. Callers pass the hierarchy of these tables with each ray.
 #[derive(Debug)]
 pub(super) struct WideLevel {
     method: Method,
     tables: Tables,
 }
 
-/// A wide hierarchy whose triangles are in the precision of an assembly, or in less.
+/// A wide hierarchy whose triangles are in the precision of an assembly, or in a lower precision.
 pub(super) trait WideObject<V: Vector>: Debug + Send + Sync {
-    /// What the tests of a ray need to know of the whole.
+    /// Returns the properties of the whole hierarchy that ray tests need.
     fn region(&self) -> &Region;
 
-    /// What it takes to traverse it, checked once and for all: no ray can fail.
+    /// Returns the data to traverse it. They are checked once, so tracing is infallible.
     fn level(&self, method: Method) -> Result<WideLevel, Unsupported>;
 
-    /// Bytes of the state of a traversal.
+    /// Returns the bytes of the state of a traversal.
     fn state_bytes(&self, level: &WideLevel) -> usize;
 
     /// Traverses it with a ray.
@@ -43,7 +43,7 @@ impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
 
     fn level(&self, method: Method) -> Result<WideLevel, Unsupported> {
         let level = WideLevel { method, tables: Tables::of(method, self) };
-        // A search that is over at the root: what is unfit is found before the first step.
+        // A search that ends at the root detects an unfit traversal before the first step.
         level.method.run(self, &level.tables, &mut Nothing, &mut ()).map(|()| level)
     }
 
@@ -66,7 +66,7 @@ impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
 }
 
 impl WideLevel {
-    /// No other wide hierarchy is in one, so the memory of this thread is free.
+    /// A wide hierarchy contains no other wide hierarchy, so the memory of this thread is free.
     fn walk<S: Simd, V: Vector + From<W>, W: Precision, const ANY: bool>(
         &self,
         mut walk: WideWalk<'_, '_, S, V, W, ANY>,
@@ -75,12 +75,12 @@ impl WideLevel {
         let ran = with_memory(|[memory, _]| {
             self.method.run_in(Supply { tree, tables: &self.tables, memory }, &mut walk, &mut ())
         });
-        // Whether the traversal fits was found when the tracer was made.
+        // The constructor has checked that the traversal fits.
         debug_assert_eq!(ran, Ok(()));
     }
 }
 
-/// A ray on its way. With `ANY`, the first hit ends it.
+/// The visitor of a ray. With `ANY`, the first hit ends it.
 struct WideWalk<'s, 'r, S: Simd, V: Vector, W: Precision, const ANY: bool> {
     simd: S,
     bvh: &'s WideBvh<8, W>,
@@ -122,7 +122,7 @@ impl<S: Simd, V: Vector + From<W>, W: Precision, const ANY: bool> wide::Search<8
 }
 
 impl<S: Simd, V: Vector + From<W>, W: Precision, const ANY: bool> WideWalk<'_, '_, S, V, W, ANY> {
-    /// At least the distance of the best hit.
+    /// An upper bound of the distance of the best hit.
     #[inline(always)]
     fn limit(&self) -> W::Real {
         W::Real::rounded(self.search.end.into())

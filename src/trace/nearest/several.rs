@@ -1,4 +1,4 @@
-//! The nearest several triangles.
+//! The k nearest triangles.
 
 use std::collections::BTreeMap;
 
@@ -15,14 +15,14 @@ use crate::tree::{Node, Topology};
 /// A search for the `k` nearest triangles of a mesh within a radius, exact: the first `k` in the order of
 /// [`NearestPoint`](super::NearestPoint), each once. `[NEAR-2]`
 ///
-/// The radius shrinks to the distance of the `k`-th triangle so far. Memory is for as many triangles as are found, and
-/// each costs the logarithm of `k`.
+/// The radius shrinks to the distance of the `k`-th triangle so far. Memory is proportional to the number of found
+/// triangles, and each costs time logarithmic in `k`.
 #[derive(Clone, Debug)]
 pub struct NearestPoints<'a, H = Bvh, V: Vector = Vec3> {
     pub(in crate::trace) around: Around<'a, H, V>,
     k: usize,
-    /// By distance and index, where they are in the hierarchy. The bits of distances, as doubles, which are not negative,
-    /// have their order. A triangle that several leaves refer to has one distance, and so one entry.
+    /// Places in the hierarchy, by distance and index. Bits of distances as doubles, which are not negative, have their
+    /// order. A triangle in several leaves has one distance, and so one entry.
     found: BTreeMap<(u64, u32), usize>,
 }
 
@@ -31,13 +31,13 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoints<'a, H, V> {
     pub fn new(bvh: &'a H, ball: &Ball<V>, k: usize) -> Self {
         let mut around = Around::new(bvh, ball);
         if k == 0 {
-            // Nothing is so near.
+            // No triangle is this near.
             around.limit.distance = V::Real::rounded(f64::NEG_INFINITY);
         }
         Self { around, k, found: BTreeMap::new() }
     }
 
-    /// What is nearest, in order, after the traversal.
+    /// Returns the nearest triangles, in order, after the traversal.
     pub fn nears(&self) -> impl ExactSizeIterator<Item = Near<V>> {
         self.found.iter().map(|(&(distance, prim), &place)| self.around.near(prim, from_rank(distance), place))
     }
@@ -55,7 +55,7 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoints<'a, H, V> {
     }
 }
 
-/// The bits of a distance as a double.
+/// Returns the bits of a distance as a double.
 fn rank(distance: impl Real) -> u64 {
     let distance: f64 = distance.into();
     distance.abs().to_bits()

@@ -1,27 +1,27 @@
-//! Which tracer, and why.
+//! The choice of a tracer, with reasons.
 
 use crate::wide::Method;
 
-/// One row each: the name, and why wide trees do not have it.
+/// One row each: the name, and the reason why wide trees do not support it.
 macro_rules! needs {
     ($($variant:ident: $name:literal, $reason:literal;)*) => {
-        /// What [`Tracer`](crate::trace::Tracer) does not have, and [`BinaryTracer`](crate::trace::BinaryTracer), or
-        /// what is made of the same trees, has.
+        /// A feature that [`Tracer`](crate::trace::Tracer) lacks, and that
+        /// [`BinaryTracer`](crate::trace::BinaryTracer), or another type over binary trees, has.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Need {
             $(#[doc = $reason] $variant,)*
         }
 
         impl Need {
-            /// All of them.
+            /// All needs.
             pub const ALL: [Self; [$(Self::$variant),*].len()] = [$(Self::$variant),*];
 
-            /// The name in tables.
+            /// Returns the name in tables.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name,)* }
             }
 
-            /// Why a binary tree is needed for it.
+            /// Returns the reason why it requires a binary tree.
             pub const fn reason(self) -> &'static str {
                 match self { $(Self::$variant => $reason,)* }
             }
@@ -37,7 +37,7 @@ needs! {
     Pausing: "pausing", "The states that can be put aside and taken up again are those of binary trees.";
 }
 
-/// The tracer for what a caller needs. The answers of both are the same, bit for bit, so that it decides on speed alone.
+/// The tracer for a caller's needs. Both tracers give identical answers, bit for bit, so the choice affects only speed.
 ///
 /// ```
 /// use stackless_bvh::trace::{Choice, Need};
@@ -53,33 +53,33 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The fastest tracer that has all that is needed.
+    /// Chooses the fastest tracer with all needed features.
     pub fn for_needs(needs: &[Need]) -> Self {
         Self { needs: needs.to_vec() }
     }
 
-    /// Whether it is [`Tracer`](crate::trace::Tracer).
+    /// Returns whether it is [`Tracer`](crate::trace::Tracer).
     pub const fn is_wide(&self) -> bool {
         self.needs.is_empty()
     }
 
-    /// The name of its type.
+    /// Returns the name of its type.
     pub const fn tracer(&self) -> &'static str {
         if self.is_wide() { "Tracer" } else { "BinaryTracer" }
     }
 
-    /// The name of its traversal.
+    /// Returns the name of its traversal.
     pub fn method(&self) -> &'static str {
         if self.is_wide() { Method::default().name() } else { crate::traverse::Method::default().name() }
     }
 
-    /// Why it is this one, a sentence each.
+    /// Returns the reasons for the choice, one sentence each.
     pub fn reasons(&self) -> Vec<&'static str> {
         if self.is_wide() { WIDE.to_vec() } else { self.needs.iter().map(|need| need.reason()).collect() }
     }
 }
 
-/// Why wide trees by [`Method::default`] are the default.
+/// Reasons for wide trees with [`Method::default`] as the default.
 const WIDE: [&str; 3] = [
     "It is exact: its answers are those of rational arithmetic.",
     "It is the fastest that was measured (benches/records/2026-11-28-leaves.md), but for wide-stack, whose state grows with the tree.",

@@ -1,4 +1,4 @@
-//! What queries cost, in things that can be counted.
+//! Counted costs of queries.
 
 use std::borrow::Borrow;
 
@@ -11,7 +11,7 @@ use crate::trace::prepared_ray::PreparedRay;
 use crate::trace::{AllHitsQuery, NearestPoint, NextHitQuery, WideCounters};
 
 impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
-    /// What the closest hits of these rays cost.
+    /// Counts the cost of the closest hits of these rays.
     ///
     /// ```
     /// use stackless_bvh::{bvh::WideBvh, generate::procedural, trace::Tracer, wide::Method};
@@ -27,14 +27,14 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         let bvh = self.bvh();
         counted(rays, |ray, counters| {
             with_baseline!(simd => {
-                // After a hit that is before all others.
+                // Starts after a hit that precedes all other hits.
                 let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
                 self.run_shared(&mut Counted(&mut NextHitQuery::over(cast, (V::Real::rounded(f64::NEG_INFINITY), 0)), counters));
             });
         })
     }
 
-    /// What all hits of these rays cost, and the number of their crossings, for which nothing else is met.
+    /// Counts the cost of all hits of these rays, and the number of their crossings, which need no other tests.
     pub fn count_all(&self, rays: &[Ray<V>]) -> WideCounters {
         let bvh = self.bvh();
         counted(rays, |ray, counters| {
@@ -45,7 +45,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         })
     }
 
-    /// What the nearest points in these balls cost.
+    /// Counts the cost of the nearest points in these balls.
     pub fn count_nearest(&self, balls: &[Ball<V>]) -> WideCounters {
         counted(balls, |ball, counters| {
             self.run_shared(&mut Counted(&mut NearestPoint::new(self.bvh(), ball), counters));
@@ -53,7 +53,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     }
 }
 
-/// The counters of these queries, each of which `count` adds.
+/// Returns the counters of these queries. `count` adds each query.
 fn counted<Q>(queries: &[Q], count: impl Fn(&Q, &mut WideCounters)) -> WideCounters {
     let mut counters = WideCounters { rays: queries.len() as u64, ..WideCounters::default() };
     for query in queries {
@@ -69,7 +69,7 @@ mod tests {
     use super::*;
     use crate::geom::Mesh;
 
-    /// Of a triangle beside another: what is counted is what the query looks at.
+    /// Two adjacent triangles: the counts are those of the elements that the query examines.
     #[test]
     fn queries_are_counted_by_what_they_meet() {
         let corners = vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X + Vec3::Z, Vec3::Y + Vec3::Z];

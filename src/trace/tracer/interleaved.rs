@@ -12,20 +12,20 @@ use crate::geom::lanes::{Hits as _, Level, Precision, vectorize};
 use crate::trace::memory::lend;
 use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unsupported, advance, traverse};
 
-/// What is asked of each ray.
+/// The kind of query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum HitQuery {
     /// The closest hit.
     Closest,
-    /// The same; the weights in the answer are 0.
+    /// The closest hit; the weights in the answer are 0.
     Distance,
-    /// Whether there is a hit; distance and weights in the answer mean nothing.
+    /// Whether there is a hit; distance and weights in the answer are meaningless.
     Any,
     /// Any hit.
     AnyHit,
 }
 
-/// What rays are asked, and of what.
+/// The hierarchy and the kind of query.
 #[derive(Clone, Copy)]
 pub(super) struct Job<'a, V: Precision> {
     pub(super) bvh: &'a WideBvh<8, V>,
@@ -34,7 +34,7 @@ pub(super) struct Job<'a, V: Precision> {
     pub(super) ask: HitQuery,
 }
 
-/// Gets the number of a ray and its answer.
+/// Receives the number of a ray and its answer.
 pub(super) type Answer<'f, V> = dyn FnMut(usize, Option<HitOf<V>>) + 'f;
 
 /// Answers one ray.
@@ -52,7 +52,7 @@ pub(super) fn trace_one<V: Precision>(
     })
 }
 
-/// Answers each ray, in whatever order they end.
+/// Answers each ray, in the order in which they end.
 pub(super) fn trace<V: Precision>(
     method: Method,
     job: Job<'_, V>,
@@ -63,7 +63,7 @@ pub(super) fn trace<V: Precision>(
         return trace_one(method, job, ray).map(|hit| answer(0, hit));
     }
     if !has_copy::<V>(method) {
-        // So that what is unfit is found without a ray.
+        // Detects an unfit traversal even without rays.
         shared::check(method, job)?;
         for (i, ray) in rays.iter().enumerate() {
             answer(i, shared::trace(method, job, ray)?);
@@ -76,12 +76,12 @@ pub(super) fn trace<V: Precision>(
     })
 }
 
-/// Whether this traversal has a copy of its own. The others share one.
+/// Returns whether this traversal has a separate copy. All other traversals share one.
 fn has_copy<V: Precision>(method: Method) -> bool {
     V::HAS_ALL_COPIES || method == Method::Recorded
 }
 
-/// By the copies that there are.
+/// Dispatches to the compiled copies.
 #[inline(always)]
 fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(
     method: Method,
@@ -90,7 +90,7 @@ fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(
     if V::HAS_ALL_COPIES { method.dispatch(context) } else { Method::recorded(context) }
 }
 
-/// Does something with the cursors' memory of this thread.
+/// Calls a function with the cursors' memory of this thread.
 #[inline(always)]
 pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
     lend(&MEMORY, |memory| run(memory.get_or_insert_default()))
@@ -101,7 +101,7 @@ thread_local! {
     static MEMORY: Cell<Option<Box<[Scratch; 2]>>> = const { Cell::new(None) };
 }
 
-/// A ray that is alone.
+/// A single ray.
 struct One<'t, V: Precision, const ANY: bool> {
     job: Job<'t, V>,
     ray: &'t Ray<V>,
@@ -181,7 +181,7 @@ fn interleaved<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
     let (mut number_a, mut number_b) = (0, 1);
     let (mut is_done_a, mut is_done_b) = (false, false);
     let mut rest = (2..).zip(rest);
-    // Written out for each of the two: with a number that varies, both rays' states are in memory, which costs a tenth.
+    // Written out for each of the two: with a variable index, both rays' states are in memory, which costs a tenth.
     macro_rules! turn {
         ($asked:ident, $number:ident, $cursor:ident, $search:ident, $is_done:ident, $other_is_done:ident) => {
             if !$is_done && !advance(&tree, &mut $cursor, $asked, &mut $search, &mut ()) {
@@ -198,7 +198,7 @@ fn interleaved<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
         };
     }
     loop {
-        // A ray that is done is asked too: only at the end of a batch, and nobody uses the answer.
+        // This also queries a ray that is done: only at the end of a batch, and the answer is not used.
         let (asked_a, asked_b) = (search_a.ask(cursor_a.node()), search_b.ask(cursor_b.node()));
         turn!(asked_a, number_a, cursor_a, search_a, is_done_a, is_done_b);
         turn!(asked_b, number_b, cursor_b, search_b, is_done_b, is_done_a);

@@ -13,9 +13,9 @@ use crate::trace::Hit;
 use crate::tree::Node;
 use crate::wide::{Ranks, Search, Wanted};
 
-/// A ray on its way through a wide hierarchy, exact. With `ANY`, the first hit ends it.
+/// The state of a ray in a wide hierarchy, exact. With `ANY`, the first hit ends it.
 ///
-/// Nothing points into it, so that it can be in registers. The exact test has to be in memory, so it is borrowed.
+/// Nothing points into it, so it can be in registers. The exact test must be in memory, so it is borrowed.
 #[derive(Debug)]
 pub(super) struct WideSearch<'a, 'm, S: Simd, V: Precision, const ANY: bool> {
     simd: S,
@@ -25,7 +25,7 @@ pub(super) struct WideSearch<'a, 'm, S: Simd, V: Precision, const ANY: bool> {
     filter: TriangleRay<S, V>,
     hits: &'m mut V::Hits<'a>,
     nearest: Nearest<'a, V>,
-    /// Boxes that begin beyond it are not looked at.
+    /// Boxes that begin beyond it are skipped.
     pub(super) end: f32,
 }
 
@@ -35,7 +35,7 @@ type Nearest<'a, V> = <<V as Precision>::Hits<'a> as Hits<'a, V>>::Nearest;
 pub(super) type HitOf<V> = Hit<<V as crate::geom::Vector>::Real>;
 
 impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, ANY> {
-    /// For the ray of `hits`.
+    /// Prepares the search for the ray of `hits`.
     #[inline(always)]
     pub(super) fn new(simd: S, bvh: &'a WideBvh<8, V>, tree: WideTree<'a, 8, V>, hits: &'m mut V::Hits<'a>) -> Self {
         let (boxes, filter, nearest) = (V::Boxes::new(simd, hits.ray(), bvh.region()), hits.filter(simd), hits.none());
@@ -43,14 +43,14 @@ impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, AN
         Self { simd, bvh, tree, boxes, filter, hits, nearest, end }
     }
 
-    /// The same for another ray.
+    /// Prepares the search for another ray.
     #[inline(always)]
     pub(super) fn with_ray(self, ray: &'a Ray<V>) -> Self {
         *self.hits = V::Hits::new(ray, self.bvh.region());
         Self::new(self.simd, self.bvh, self.tree, self.hits)
     }
 
-    /// After the traversal: what was asked for.
+    /// Returns the requested answer, after the traversal.
     #[inline(always)]
     pub(super) fn answer(&mut self, ask: HitQuery) -> Option<HitOf<V>> {
         let prim = V::Hits::prim(&self.nearest)?;

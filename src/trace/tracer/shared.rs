@@ -1,5 +1,5 @@
-//! The rare queries: all hits, the next hit, crossings, and what is nearest to a point. As in binary hierarchies they
-//! share one copy of the traversals.
+//! The rare queries: all hits, the next hit, crossings, and nearest points. As in binary hierarchies, they share one
+//! copy of the traversals.
 
 use fearless_simd::{Simd, SimdBase, f32x8};
 
@@ -21,13 +21,13 @@ use crate::wide::{Method, Ranks, Search, Supply, Tables, Unsupported, Wanted};
 
 /// A query for any traversal. As `&mut dyn Query` it is one type for all kinds.
 pub(super) trait Query {
-    /// The children that it wants of an inner node, with the distances of their boxes.
+    /// Returns the children of an inner node that it wants, with the distances of their boxes.
     fn ask(&mut self, node: Node) -> Wanted<[u32; 8]>;
 
-    /// Looks at the triangles of a leaf.
+    /// Tests the triangles of a leaf.
     fn leaf(&mut self, leaf: Node);
 
-    /// What is at a greater distance is not looked at any more.
+    /// Returns the distance beyond which boxes are skipped.
     fn end(&self) -> f32;
 }
 
@@ -41,12 +41,12 @@ pub(super) fn run<V: Precision>(
     with_memory(|[memory, _]| method.run_in(Supply { tree, tables, memory }, &mut Shared(query), &mut ()))
 }
 
-/// Whether a traversal fits a hierarchy.
+/// Checks that a traversal fits a hierarchy.
 pub(super) fn check<V: Precision>(method: Method, Job { bvh, tables, .. }: Job<'_, V>) -> Result<(), Unsupported> {
     run(method, bvh, tables, &mut Nothing)
 }
 
-/// The closest hit of a ray, or any.
+/// Finds the closest hit of a ray, or any hit.
 pub(super) fn trace<V: Precision>(
     method: Method,
     job: Job<'_, V>,
@@ -103,7 +103,7 @@ impl Query for Nothing {
     }
 }
 
-/// A query that is counted.
+/// A query with counts.
 pub(super) struct Counted<'q, 'c>(pub(super) &'q mut dyn Query, pub(super) &'c mut WideCounters);
 
 impl Query for Counted<'_, '_> {
@@ -143,7 +143,7 @@ impl Search<8> for Shared<'_> {
     }
 }
 
-/// A ray that is prepared for the boxes of a node, and for the filter of a block.
+/// A ray prepared for the boxes of a node, and for the filter of a block.
 #[derive(Clone, Debug)]
 pub(super) struct LaneRay<S: Simd, V: Precision> {
     simd: S,
@@ -151,7 +151,7 @@ pub(super) struct LaneRay<S: Simd, V: Precision> {
     filter: TriangleRay<S, V>,
 }
 
-/// A ray among the boxes and triangles of a wide hierarchy.
+/// A ray with its tests of boxes and triangles of a wide hierarchy.
 type WidePreparedRay<'a, S, V> = PreparedRay<'a, <V as Precision>::Exact, LaneRay<S, V>, WideBvh<8, V>>;
 
 impl<S: Simd, V: Precision> LaneRay<S, V> {
@@ -181,7 +181,7 @@ impl<S: Simd, V: Precision> LeafFilter<WideBvh<8, V>, Triangle<V>, V::Real> for 
 }
 
 impl<S: Simd, V: Precision> WidePreparedRay<'_, S, V> {
-    /// The children that the ray meets. `[LANES-2]`
+    /// Returns the children that the ray meets. `[LANES-2]`
     pub(super) fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let (ranks, set) = self.slabs.boxes.enter(&self.bvh.nodes()[node.index()].planes, self.box_end());
         Wanted { set, ranks: LaneRanks::<S, f32x8<S>, 8>::new(ranks).all() }
@@ -193,7 +193,7 @@ impl<S: Simd, V: Precision> WidePreparedRay<'_, S, V> {
 }
 
 impl<V: Precision> Around<'_, WideBvh<8, V>, V> {
-    /// The children that are near enough. `[NEAR-4]`
+    /// Returns the children that are near enough. `[NEAR-4]`
     fn ask(&self, node: Node) -> Wanted<[u32; 8]> {
         let planes = &self.bvh.nodes()[node.index()].planes;
         with_baseline!(simd => {
@@ -204,9 +204,9 @@ impl<V: Precision> Around<'_, WideBvh<8, V>, V> {
         })
     }
 
-    /// Whether nothing in these slots matters, nor below them. `[NEAR-6]`
+    /// Returns whether no triangle in these slots, or below them, is relevant. `[NEAR-6]`
     fn is_settled_below(&self, node: Node, ranks: &[f32; 8], set: u32) -> bool {
-        // Ranks leave out the last bits, and more of a distance that is subnormal.
+        // Ranks omit the last bits, and more of a subnormal distance.
         const OFF: f64 = 64.0 * f32::EPSILON as f64;
         const LEAST: f32 = f32::from_bits(16);
         let record = &self.bvh.nodes()[node.index()];
@@ -217,7 +217,7 @@ impl<V: Precision> Around<'_, WideBvh<8, V>, V> {
     }
 }
 
-/// A query that has it all in one of its fields.
+/// Implements a query that delegates to one of its fields.
 macro_rules! query {
     ($([$($generic:tt)*] $query:ty, $field:ident: $end:ident;)*) => {$(
         impl<$($generic)*> Query for $query {

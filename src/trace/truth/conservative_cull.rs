@@ -1,4 +1,4 @@
-//! What a ray misses by far: rounding is allowed for a thousand times and more.
+//! A test that detects only misses by a wide margin: a thousand times the rounding error and more.
 
 use std::ops::RangeInclusive;
 
@@ -33,17 +33,17 @@ impl Bounds {
     }
 }
 
-/// A ray, for tests that tell what it misses by far.
+/// A ray with tests for misses by a wide margin.
 pub(super) struct ConservativeCull {
     origin: [f64; 3],
     direction: [f64; 3],
     tmin: f64,
     tmax: f64,
-    /// Whether the components of the direction that are not 0 are in [`RANGE`].
+    /// Whether the nonzero components of the direction are in [`RANGE`].
     in_range: bool,
 }
 
-/// Numbers of such size can be told to be far from each other without overflow. All in single precision are of it.
+/// The tests do not overflow for numbers in this range, which includes all numbers of single precision.
 const RANGE: RangeInclusive<f64> = f64::from_bits((1023 - 400) << 52)..=f64::from_bits((1023 + 400) << 52);
 
 /// 2^-600.
@@ -55,23 +55,23 @@ impl ConservativeCull {
         Self::along(origin, direction, [ray.tmin().into(), ray.tmax().into()])
     }
 
-    /// The origin may have been rounded, which the margin allows for.
+    /// Prepares a ray. The origin may be rounded; the margin covers this.
     pub(super) fn along(origin: [f64; 3], direction: [f64; 3], [tmin, tmax]: [f64; 2]) -> Self {
         let in_range = direction.into_iter().all(|x| x == 0.0 || RANGE.contains(&x.abs()));
         Self { origin, direction, tmin, tmax, in_range }
     }
 
-    /// Where the ray enters a box, or earlier. `None` for no box that it touches.
+    /// Returns a lower bound of the distance at which the ray enters a box. Never `None` for a box that it touches.
     ///
-    /// The box is widened by a margin of 10^-9 of the greatest coordinate `m` at hand. Rounding moves a plane of it,
-    /// as the ray sees it, by less than 10^-15 `m`: 1.1 units of 2^-53 for adding the margin, 2.1 for subtracting
-    /// the origin, and 2.1 for the quotient, whose numerator is below 2.1 `m`. So the margin is a million times
-    /// what it must be, and a ray that touches the box at some `t` has `near <= t <= far` on every axis.
+    /// The box is enlarged by a margin of 10^-9 of the greatest coordinate `m` involved. Rounding moves a plane of it,
+    /// relative to the ray, by less than 10^-15 `m`: 1.1 units of 2^-53 for the addition of the margin, 2.1 for the
+    /// subtraction of the origin, and 2.1 for the quotient, whose numerator is below 2.1 `m`. So the margin is a
+    /// million times the necessary one, and a ray that touches the box at some `t` has `near <= t <= far` on every
+    /// axis.
     ///
-    /// Of `m` and of the direction's components, none may be outside of 2^-400 to 2^400, unless it is 0; else no box is
-    /// missed. So nothing overflows, and no NaN arises: differences are below 2^402, quotients below 2^803. Sums and
-    /// differences do not underflow. A quotient may, by 2^-1075; but the margin, over a component of the direction, is
-    /// above 2^-830.
+    /// `m` and the direction's components must be 0 or from 2^-400 to 2^400; otherwise no box is missed. So nothing
+    /// overflows, and no NaN occurs: differences are below 2^402, quotients below 2^803. Sums and differences do not
+    /// underflow. A quotient may, by 2^-1075; but the margin, over a component of the direction, is above 2^-830.
     pub(super) fn entry(&self, bounds: &Bounds) -> Option<f64> {
         let Self { origin: o, direction: d, .. } = self;
         let Bounds { lo, hi } = bounds;
@@ -96,27 +96,27 @@ impl ConservativeCull {
         (near <= far).then_some(near)
     }
 
-    /// Whether what the ray enters at `near` is behind its end.
+    /// Returns whether a box that the ray enters at `near` is beyond its end.
     pub(super) fn ends_before(&self, near: f64) -> bool {
         near > self.tmax
     }
 
-    /// Ends the ray where all hits are whose distance, rounded, is at most this. A distance is rounded by a millionth, or
-    /// by less than 10^-44.
+    /// Shortens the ray to the hits whose rounded distance is at most this. The rounding error of a distance is a
+    /// millionth, or less than 10^-44.
     pub(super) fn end_by(&mut self, rounded: f64) {
         self.tmax = self.tmax.min((rounded * 1.001).max(1e-30));
     }
 
-    /// False for every triangle that the ray's line meets.
+    /// Returns whether the ray certainly misses a triangle: false for every triangle that the ray's line meets.
     ///
-    /// With corners a, b, c relative to the origin, the line meets the triangle only if d·(a × b), d·(b × c) and
-    /// d·(c × a) are not of both signs. Each is a sum of six products, whose sizes add up to at most `size`, where every
-    /// difference is replaced by the sum of what it is made of. Rounding changes it by less than 10^-14 `size`: by 4
+    /// With corners a, b, c relative to the origin, the line meets the triangle only if d·(a × b), d·(b × c) and d·(c ×
+    /// a) do not have both signs. Each is a sum of six products, whose sizes add up to at most `size`, where every
+    /// difference is replaced by the sum of its operands' sizes. Rounding changes it by less than 10^-14 `size`: by 4
     /// units of 2^-53 for two differences and the rounding of the origin in each, and by 5 more for products and sums.
-    /// So a sign is certain from 10^-9 `size` on, which is a hundred thousand times what it must be.
+    /// So a sign is certain from 10^-9 `size` on, which is a hundred thousand times the necessary margin.
     ///
-    /// Nothing overflows where `size` is finite. Below 2^-600 nothing is certain: a product that underflows is off by
-    /// 2^-1075, and by 2^-675 after multiplication with the direction, which is below 2^400.
+    /// Nothing overflows if `size` is finite. Below 2^-600 nothing is certain: the error of a product that underflows
+    /// is 2^-1075, and 2^-675 after multiplication with the direction, which is below 2^400.
     pub(super) fn misses_triangle<V: Vector>(&self, corners: &Corners<V>) -> bool {
         if !self.in_range {
             return false;

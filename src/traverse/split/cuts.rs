@@ -1,4 +1,4 @@
-//! Where a tree is cut, and the pieces.
+//! Cuts of a tree, and the pieces between them.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -9,24 +9,24 @@ use crate::key::{KeyWord, Side};
 use crate::traverse::Method;
 use crate::tree::{Node, Reach, Recorded, Topology, Tree};
 
-/// A tree that is cut every so many levels.
+/// A tree with cuts at regular levels.
 ///
-/// To find the piece below a node takes constant time and a bit and a half for each node of the tree.
+/// The piece below a node is found in constant time, with one and a half bits of memory for each node of the tree.
 #[derive(Debug)]
 pub struct Cuts<'t, T> {
     levels: u32,
     top: Piece<'t, T>,
-    /// Those with a piece above, by slot of their roots.
+    /// The pieces with a piece above, by slot of their roots.
     below: Vec<Piece<'t, T>>,
-    /// Whether a node is the root of one, by slot.
+    /// Whether a node is the root of a piece, by slot.
     marks: Vec<u64>,
     /// Number of marks before each word of them.
     before: Vec<u32>,
 }
 
 impl<'t, T: Topology> Cuts<'t, T> {
-    /// Cuts a tree at its inner nodes of the depths `levels` (at least 1), 2 `levels` and so on. Linear time, but for
-    /// the sorting of the pieces, and no recursion.
+    /// Cuts a tree at its inner nodes of the depths `levels` (at least 1), 2 `levels` and so on. Linear time, except
+    /// for the sorting of the pieces, and no recursion.
     pub fn every(levels: u32, tree: &'t T) -> Self {
         let levels = levels.max(1);
         let piece = |root| Piece { tree, root, levels, number: 0 };
@@ -51,12 +51,12 @@ impl<'t, T: Topology> Cuts<'t, T> {
         Self { levels, top: piece(tree.root()), below, marks, before }
     }
 
-    /// The piece with the tree's root.
+    /// Returns the piece with the tree's root.
     pub fn top(&self) -> &Piece<'t, T> {
         &self.top
     }
 
-    /// The piece of which this node, which is also one of the piece above, is the root.
+    /// Returns the piece whose root is this node, which is also a node of the piece above.
     #[inline]
     pub fn below(&self, node: Node) -> Option<&Piece<'t, T>> {
         let slot = self.top.tree.slot(node);
@@ -68,40 +68,41 @@ impl<'t, T: Topology> Cuts<'t, T> {
         self.below.get(self.before[word] as usize + (marks & (bit - 1)).count_ones() as usize)
     }
 
-    /// All pieces, by their numbers.
+    /// Returns all pieces, by their numbers.
     pub fn pieces(&self) -> impl Iterator<Item = &Piece<'t, T>> {
         [&self.top].into_iter().chain(&self.below)
     }
 
-    /// A table of each piece, by its number.
+    /// Makes a table of each piece, by its number.
     ///
     /// # Errors
-    /// The first of `make`.
+    /// The first error of `make`.
     pub fn tables<L, E>(&self, mut make: impl FnMut(&Tree) -> Result<L, E>) -> Result<Vec<PieceTable<L>>, E> {
         self.pieces().map(|piece| piece.table(&mut make)).collect()
     }
 
-    /// Memory of pieces and marks, in bytes.
+    /// Returns the memory of pieces and marks, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.below) + size_of_val(&*self.marks) + size_of_val(&*self.before)
     }
 
-    /// Greatest number of pieces on a way from the root: depth by levels, rounded up, and at least 1.
+    /// Returns the greatest number of pieces on a path from the root: depth by levels, rounded up, and at least 1.
     pub fn nesting(&self) -> u32 {
         self.top.tree.depth().div_ceil(self.levels).max(1)
     }
 
-    /// Bytes of the state for one search by a traversal in this word: the traversal's own in a tree as deep as a piece,
-    /// for each piece on the way.
+    /// Returns the bytes of the state for one search by a traversal in this word: the traversal's state in a tree of a
+    /// piece's depth, for each piece on the path.
     pub fn state_bytes<W: KeyWord>(&self, method: Method) -> usize {
         self.nesting() as usize * method.state_bytes::<W>(self.top.depth())
     }
 }
 
-/// The part of a tree between cuts, for cursors: the tree from another root, with the slots and links of the whole.
+/// The part of a tree between cuts, for cursors: the tree from another root, with the slots and links of the whole
+/// tree.
 ///
-/// A cut node is an inner node to a cursor, which does not go further. What walks over all children does not see where
-/// a piece ends: tables are made by [`table`](Self::table).
+/// A cut node is an inner node to a cursor, which does not go further. A walk over all children does not detect the end
+/// of a piece: [`table`](Self::table) makes tables.
 #[derive(Debug)]
 pub struct Piece<'t, T> {
     tree: &'t T,
@@ -111,25 +112,25 @@ pub struct Piece<'t, T> {
 }
 
 impl<T: Topology> Piece<'_, T> {
-    /// Number of the piece: 0 for the one with the tree's root.
+    /// Returns the number of the piece: 0 for the piece with the tree's root.
     #[inline]
     pub fn number(&self) -> usize {
         self.number as usize
     }
 
-    /// A table of the piece alone, made for a tree of its shape in which cut nodes are leaves.
+    /// Computes a table of the piece alone, for a tree of its shape in which cut nodes are leaves.
     ///
-    /// As records of cut nodes are those of inner nodes, a hash for records that name more at leaves than at inner
-    /// nodes must be made for what the inner ones name ([`Reach`]).
+    /// Records of cut nodes are those of inner nodes. So a hash for records with more references at leaves than at
+    /// inner nodes must be made for the reach of inner nodes ([`Reach`]).
     ///
     /// # Errors
-    /// What `make` returns.
+    /// Those of `make`.
     pub fn table<L, E>(&self, make: impl FnOnce(&Tree) -> Result<L, E>) -> Result<PieceTable<L>, E> {
         let (nodes, children) = self.shape();
         Ok(PieceTable { table: make(&Tree::from_generated(&children))?, nodes })
     }
 
-    /// All nodes, by level, and for each the numbers of its children among them: none for leaves and cut nodes.
+    /// Returns all nodes, by level, and for each the numbers of its children among them: none for leaves and cut nodes.
     fn shape(&self) -> (Vec<Node>, Vec<Option<[u32; 2]>>) {
         let (mut nodes, mut children) = (vec![self.root], vec![None]);
         let mut level = 0..1;
@@ -176,7 +177,7 @@ impl<T: Topology> Topology for Piece<'_, T> {
         self.tree.slot(node)
     }
 
-    /// What no piece exceeds: the levels between cuts, or the depth of the whole tree if that is less.
+    /// A bound for every piece: the levels between cuts, or the depth of the whole tree if that is less.
     #[inline]
     fn depth(&self) -> u32 {
         self.levels.min(self.tree.depth())
@@ -215,17 +216,17 @@ impl<T: Topology> Topology for Piece<'_, T> {
 #[derive(Clone, Debug)]
 pub struct PieceTable<L> {
     table: L,
-    /// The piece's nodes, by their number in the tree that the table was made for.
+    /// The piece's nodes, by their number in the table's tree.
     nodes: Vec<Node>,
 }
 
 impl<L> PieceTable<L> {
-    /// The table, of a tree of the piece's shape.
+    /// Returns the table, for a tree of the piece's shape.
     pub fn table(&self) -> &L {
         &self.table
     }
 
-    /// Memory of the addresses beside the table, in bytes.
+    /// Returns the memory of the addresses, without the table, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes)
     }

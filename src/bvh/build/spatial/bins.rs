@@ -11,13 +11,13 @@ use super::split::{Scale, Side, Split};
 /// Bins on each axis.
 const BINS: usize = 32;
 
-/// Room for the bins of one axis, and the sums from the right.
+/// Memory for the bins of one axis, and the sums from the right.
 pub(super) struct Bins {
     bins: Vec<Bin>,
     right: Vec<Side>,
 }
 
-/// Items that begin in a bin, that end in it, and the box of what they have in it.
+/// Items that begin in a bin, items that end in it, and the box of their parts in it.
 #[derive(Clone, Copy)]
 struct Bin {
     spread: Spread,
@@ -28,7 +28,7 @@ struct Bin {
 impl Bin {
     const EMPTY: Self = Self { spread: Spread::EMPTY, begin: 0, end: 0 };
 
-    /// Adds a part, if there is something in it.
+    /// Adds a part, unless it is empty.
     fn add(&mut self, part: Spread) {
         if !part.is_empty() {
             self.spread = self.spread.union(part);
@@ -41,7 +41,7 @@ impl Bins {
         Self { bins: vec![Bin::EMPTY; BINS], right: vec![Side::EMPTY; BINS] }
     }
 
-    /// The cheapest cut between items, by their centroids.
+    /// Returns the cheapest split between items, by their centroids.
     pub(super) fn between(&mut self, items: &[Record], extents: &Extents) -> Option<Split> {
         self.cheapest(items.len(), 0, &extents.boxes, |bins, axis| {
             let scale = Scale::new(&extents.centroids, axis, bins.len())?;
@@ -55,7 +55,7 @@ impl Bins {
         })
     }
 
-    /// The cheapest plane that cuts at most `spare` items in two.
+    /// Returns the cheapest plane that divides at most `spare` items.
     pub(super) fn across<P: Primitives + ?Sized>(
         &mut self,
         primitives: &P,
@@ -72,7 +72,7 @@ impl Bins {
                 bins[begin].begin += 1;
                 bins[end].end += 1;
             }
-            // Parts take long: where every plane cuts too many, none is made.
+            // Parts are expensive: if every plane cuts too many items, none is made.
             if !has_candidate(bins, items.len(), spare) {
                 return None;
             }
@@ -109,7 +109,7 @@ impl Bins {
         })
     }
 
-    /// The cheapest border of three axes that cuts at most `spare` items. `fill` fills the bins of an axis.
+    /// Returns the cheapest border of three axes that cuts at most `spare` items. `fill` fills the bins of an axis.
     fn cheapest(
         &mut self,
         count: usize,
@@ -117,7 +117,7 @@ impl Bins {
         whole: &Spread,
         mut fill: impl FnMut(&mut [Bin], usize) -> Option<Scale>,
     ) -> Option<Split> {
-        // More bins than these do not make better cuts of few items.
+        // More bins do not improve splits of few items.
         let used = self.bins.len().min(2 * count + 2);
         let (bins, sums) = (&mut self.bins[..used], &mut self.right[..used]);
         let area = whole.half_area();
@@ -147,12 +147,13 @@ impl Bins {
     }
 }
 
-/// Whether there are items on both sides of a border, and on both together at most so many: those that it cuts count twice.
+/// Returns whether there are items on both sides of a border, and at most `most` on both together: items that it cuts
+/// count twice.
 fn is_candidate([left, right]: [usize; 2], most: usize) -> bool {
     left > 0 && right > 0 && left + right <= most
 }
 
-/// Whether some border is one, by the counts alone.
+/// Returns whether some border is a candidate, by the counts alone.
 fn has_candidate(bins: &[Bin], count: usize, spare: usize) -> bool {
     let (mut left, mut right) = (0, count);
     bins[1..].iter().zip(bins).any(|(_, before)| {
@@ -162,8 +163,8 @@ fn has_candidate(bins: &[Bin], count: usize, spare: usize) -> bool {
     })
 }
 
-/// Boxes of what of a triangle is in each bin from `begin` on: nearly, as a plane is only chosen by them. What of a
-/// primitive is on which side of it is then asked of [`Primitives::part`].
+/// Computes boxes of the parts of a triangle in each bin from `begin` on. They are approximate, because they only
+/// select a plane; [`Primitives::part`] then computes the parts on both sides.
 pub(super) fn slice(boxes: &mut [Spread], corners: [Vec3A; 3], begin: usize, scale: &Scale, axis: usize) {
     boxes.fill(Spread::EMPTY);
     let last = boxes.len() - 1;
@@ -179,7 +180,7 @@ pub(super) fn slice(boxes: &mut [Spread], corners: [Vec3A; 3], begin: usize, sca
         let slope = edge / edge[axis];
         for border in before[low].max(begin)..before[high].min(begin + last + 2) {
             let point = corners[low] + slope * (scale.border(border) - corners[low][axis]);
-            // It is in the bins on both sides.
+            // The point is in the bins on both sides.
             let right = border - begin;
             for bin in &mut boxes[right.saturating_sub(1)..=right.min(last)] {
                 *bin = bin.add(point);

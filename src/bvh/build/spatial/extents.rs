@@ -1,4 +1,4 @@
-//! Boxes that grow, some of which are of parts.
+//! Growing boxes of items and parts.
 
 use glam::Vec3A;
 
@@ -23,7 +23,7 @@ impl Extents {
     }
 }
 
-/// A box while it grows, in SIMD registers.
+/// A growing box, in SIMD registers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spread {
     pub(super) lo: Vec3A,
@@ -48,13 +48,13 @@ impl Spread {
         Self { lo: self.lo.max(other.lo), hi: self.hi.min(other.hi) }
     }
 
-    /// With a point. Where this is a NaN, SSE's instructions leave it out.
+    /// Returns the box with a point. SSE's instructions ignore a NaN here.
     #[inline]
     pub(super) fn add(self, point: Vec3A) -> Self {
         Self { lo: point.min(self.lo), hi: point.max(self.hi) }
     }
 
-    /// Whether it holds no point, as it is empty or has a NaN.
+    /// Returns whether it contains no point, because it is empty or has a NaN.
     #[inline]
     pub(super) fn is_empty(self) -> bool {
         !self.lo.cmple(self.hi).all()
@@ -75,7 +75,7 @@ impl Spread {
         Aabb { lo: self.lo.into(), hi: self.hi.into() }
     }
 
-    /// As a record has them.
+    /// Returns the planes of a record.
     pub(super) fn planes(self) -> Planes {
         *Record::item(&self.aabb(), 0).planes()
     }

@@ -1,4 +1,4 @@
-//! A cut of a range, and what comes to which side.
+//! A split of a range, and the items of both sides.
 
 use super::super::Primitives;
 use super::super::record::Record;
@@ -11,18 +11,18 @@ pub(super) struct Split {
     pub(super) scale: Scale,
     /// First bin of the right side.
     pub(super) border: usize,
-    /// Of the node when cut here, in triangle tests.
+    /// Cost of the node with this split, in triangle tests.
     pub(super) cost: f32,
     pub(super) sides: [Side; 2],
 }
 
 impl Split {
-    /// Cheaper first, then more even.
+    /// Orders splits: cheaper first, then more even.
     pub(super) fn order(&self) -> (f32, usize) {
         (self.cost, self.sides[0].count.max(self.sides[1].count))
     }
 
-    /// Half area of what is in the boxes of both sides.
+    /// Returns the half area of the intersection of both boxes.
     pub(super) fn overlap(&self) -> f32 {
         let [left, right] = self.sides.map(|side| side.spread);
         let both = left.intersection(right);
@@ -41,7 +41,8 @@ impl Split {
         [left, items.len() - left]
     }
 
-    /// The items of both sides, of those that the plane cuts their parts. `None` if one side would have none.
+    /// Returns the items of both sides, with parts of the items that the plane cuts. `None` if one side would have
+    /// none.
     pub(super) fn cut<P: Primitives + ?Sized>(
         &self,
         primitives: &P,
@@ -70,7 +71,7 @@ impl Split {
             left.hi[axis] = plane;
             right.lo[axis] = plane;
             let parts = [left, right].map(|part| primitives.part(item.first() as usize, &part));
-            // A box may reach farther than its primitive.
+            // A box may extend beyond its primitive.
             let holds = parts.map(|part| part.lo.cmple(part.hi).all());
             let parts = parts.map(|part| Record::item(&part, item.first()));
             let alone = [0, 1].map(|i| sides[i].with(&whole, 1).weight() + sides[1 - i].weight());
@@ -94,7 +95,7 @@ impl Split {
     }
 }
 
-/// What is on one side.
+/// One side of a split.
 #[derive(Clone, Copy)]
 pub(super) struct Side {
     pub(super) spread: Spread,
@@ -109,7 +110,7 @@ impl Side {
         Self { spread: self.spread.union(*spread), count: self.count + count }
     }
 
-    /// Triangle tests expected below, times the half area of the box.
+    /// Returns the expected triangle tests below, times the half area of the box.
     #[inline]
     pub(super) fn weight(&self) -> f32 {
         if self.count == 0 { 0.0 } else { self.spread.half_area() * self.count as f32 }
@@ -126,7 +127,7 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// `None` where there is no extent to divide.
+    /// Creates bins; `None` if there is no extent to divide.
     pub(super) fn new(spread: &Spread, axis: usize, bins: usize) -> Option<Self> {
         let extent = spread.extent()[axis];
         let (width, factor) = (extent / bins as f32, bins as f32 / extent);
@@ -134,22 +135,23 @@ impl Scale {
         is_usual.then_some(Self { start: spread.lo[axis], width, factor, last: bins as f32 - 1.0 })
     }
 
-    /// Bin of a coordinate; monotone.
+    /// Returns the bin of a coordinate; monotone.
     #[inline]
     pub(super) fn bin(&self, coordinate: f32) -> usize {
         ((coordinate - self.start) * self.factor).min(self.last) as usize
     }
 
-    /// Where a bin begins, nearly.
+    /// Returns the approximate start of a bin.
     #[inline]
     pub(super) fn border(&self, bin: usize) -> f32 {
         self.start + self.width * bin as f32
     }
 
-    /// How many borders are not beyond a coordinate, of those from that of bin 0 to one behind the last bin; nearly.
+    /// Returns the approximate number of borders that are not beyond a coordinate, of the borders from that of bin 0 to
+    /// one after the last bin.
     #[inline]
     pub(super) fn borders_before(&self, coordinate: f32) -> usize {
-        // Below the first one it is negative, which counts as 0.
+        // Before the first border it is negative, which counts as 0.
         ((coordinate - self.start) * self.factor + 1.0).min(self.last + 2.0) as usize
     }
 }

@@ -6,11 +6,11 @@ use dashu_int::{IBig, UBig};
 
 use super::predicates::Pairs;
 
-/// An exact sum of products of three doubles, however large or small they are: a fixed-point number, as long as the
-/// range of such products. `[EXACT-8]`
+/// An exact sum of products of three doubles of any size: a fixed-point number with the range of such products.
+/// `[EXACT-8]`
 ///
-/// Kulisch 2008, "Computer arithmetic and validity", chapter 8: the complete register. What is added and what is
-/// subtracted have a register each, so that a carry hardly ever runs on. Up to 2^64 products may be added.
+/// Kulisch 2008, "Computer arithmetic and validity", chapter 8: the complete register. Added and subtracted products
+/// have separate registers, so a carry rarely runs far. Up to 2^64 products may be added.
 ///
 /// ```
 /// use std::cmp::Ordering;
@@ -26,20 +26,20 @@ use super::predicates::Pairs;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Accumulator {
-    /// What is added, and what is subtracted; the lowest limb first.
+    /// The sums of added and of subtracted products; the lowest limb first.
     registers: [[u64; LIMBS]; 2],
 }
 
 /// Limbs for all products of three doubles: from 2^-3222 to 2^3072, and 64 bits for carries.
 const LIMBS: usize = 100;
 
-/// The last bit of an accumulator stands for 2 to the power of this.
+/// The exponent of the last bit of an accumulator.
 const UNIT: i32 = 3 * MIN_EXPONENT;
 
-/// A double is a whole number of 53 bits times 2 to the power of this or more.
+/// The least exponent: a double is an integer of 53 bits times 2 to the power of this or more.
 const MIN_EXPONENT: i32 = -1074;
 
-/// A finite double as a whole number and a power of two.
+/// A finite double as an integer and a power of two.
 #[derive(Clone, Copy, Debug)]
 struct Factor {
     digits: u64,
@@ -53,14 +53,14 @@ pub(super) struct Leading {
     pub(super) digits: u128,
     /// In units that all accumulators share.
     pub(super) exponent: i32,
-    /// Whether that is all of it.
+    /// Whether these are all digits.
     pub(super) is_exact: bool,
 }
 
 impl From<f64> for Factor {
     fn from(x: f64) -> Self {
         let (exponent, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, x.to_bits() & ((1 << 52) - 1));
-        // Subnormal numbers have the exponent of the least normal ones, and no leading one.
+        // Subnormal numbers have the exponent of the least normal numbers, and no leading one.
         let digits = fraction | u64::from(exponent > 0) << 52;
         Self { digits, exponent: exponent.max(1) - 1 + MIN_EXPONENT, is_negative: x.is_sign_negative() }
     }
@@ -75,7 +75,7 @@ impl std::ops::Neg for Factor {
 }
 
 impl Accumulator {
-    /// Zero.
+    /// Creates the sum zero.
     pub const fn new() -> Self {
         Self { registers: [[0; LIMBS]; 2] }
     }
@@ -85,13 +85,13 @@ impl Accumulator {
         self.multiply(factors.map(Factor::from));
     }
 
-    /// How the sum compares with 0.
+    /// Returns the sign of the sum.
     pub fn sign(&self) -> Ordering {
         let [plus, minus] = &self.registers;
         plus.iter().rev().cmp(minus.iter().rev())
     }
 
-    /// d . (a x b).
+    /// Computes d . (a x b).
     pub(super) fn volume(d: &Pairs, a: &Pairs, b: &Pairs) -> Self {
         let mut sum = Self::new();
         let [d, a, b] = [d, a, b].map(|v| v.map(|pair| pair.map(Factor::from)));
@@ -126,11 +126,11 @@ impl Accumulator {
         self.add([low, middle, high], place, a.is_negative ^ b.is_negative ^ c.is_negative);
     }
 
-    /// Adds or subtracts a whole number, the lowest limb first, times 2^place units. There is room for all products.
+    /// Adds or subtracts an integer, the lowest limb first, times 2^place units. There is room for all products.
     #[inline]
     fn add(&mut self, [low, middle, high]: [u64; 3], place: usize, is_negative: bool) {
         let (limb, shift) = (place / 64, place % 64);
-        // What a limb hands to the next: 0 of a shift by 0.
+        // The bits that move from a limb to the next: 0 for a shift by 0.
         let over = |limb: u64| limb >> 1 >> (63 - shift);
         let shifted = [low << shift, middle << shift | over(low), high << shift | over(middle), over(high)];
         let register = &mut self.registers[usize::from(is_negative)];
@@ -149,7 +149,7 @@ impl Accumulator {
         }
     }
 
-    /// The first digits of the sum; `None` if it is 0.
+    /// Returns the first digits of the sum; `None` if it is 0.
     pub(super) fn leading(&self) -> Option<Leading> {
         let [plus, minus] = &self.registers;
         let (is_negative, [greater, less]) = match self.sign() {
@@ -170,7 +170,7 @@ impl Accumulator {
         Some(Leading { is_negative, digits, exponent: 64 * (top as i32 - 1) - zeros as i32, is_exact })
     }
 
-    /// The sum in units that all accumulators share.
+    /// Returns the sum in units that all accumulators share.
     pub(super) fn integer(&self) -> IBig {
         let [plus, minus] = self.registers.map(|limbs| UBig::from_le_bytes(limbs.map(u64::to_le_bytes).as_flattened()));
         IBig::from(plus) - IBig::from(minus)

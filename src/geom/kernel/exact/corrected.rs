@@ -1,8 +1,8 @@
-//! The point of a certain hit by doubles, and corrected by what they leave. `[EXACT-14]`
+//! The point of a certain hit by doubles, corrected by their residual. `[EXACT-14]`
 //!
-//! For any numbers t, u and v, what the true ones differ from them by is the solution for the residual
-//! r = s + t d - u e1 - v e2 in place of s, exactly. With those that doubles give, r is next to nothing, so that doubles are
-//! fine enough for the rest. (Iterative refinement: Wilkinson 1963, "Rounding errors in algebraic processes".)
+//! For any numbers t, u and v, the difference of the true numbers from them is the solution for the residual r = s + t
+//! d - u e1 - v e2 in place of s, exactly. For the results of doubles, r is nearly 0, so doubles suffice for the
+//! correction. (Iterative refinement: Wilkinson 1963, "Rounding errors in algebraic processes".)
 
 use glam::DVec3;
 
@@ -12,10 +12,10 @@ use super::{two_product, two_sum};
 use crate::geom::frame::power_of_two;
 
 /// Bounds of the error of a product with the residual, times E E for the distance and D E for the weights: the first is
-/// over the residual, the second over the way to the hit.
+/// relative to the residual, the second to the distance of the hit.
 const OFF: [f64; 2] = [64.0 * power_of_two(-53), 384.0 * power_of_two(-106)];
 
-/// Distance and weights of a line that certainly meets a triangle, each where it is certain what it is rounded to.
+/// Distance and weights of a line that certainly meets a triangle; each is present if its rounding is certain.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::geom) struct Corrected {
     pub(in crate::geom) t: Option<f64>,
@@ -23,7 +23,7 @@ pub(in crate::geom) struct Corrected {
 }
 
 impl Corrected {
-    /// Of a certain hit. `[EXACT-6]` `FUSED` where a multiplication and an addition are one instruction.
+    /// Computes them for a certain hit. `[EXACT-6]` `FUSED` if a multiplication and an addition are one instruction.
     #[inline(always)]
     pub(in crate::geom) fn of<const FUSED: bool>(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
         let ([s, s_rest], [e1, e1_rest], [e2, e2_rest]) = (apart(o, v0), apart(v1, v0), apart(v2, v0));
@@ -32,7 +32,7 @@ impl Corrected {
         let [t, u, v] = [s.dot(n) / det, s.dot(p) / det, s.dot(m) / det];
         let [length, c, e] = [d.abs(), s.abs(), e1.abs().max(e2.abs())].map(DVec3::max_element);
         let far = c + t.abs() * length + (u.abs() + v.abs()) * e;
-        // Not so for a NaN.
+        // False for a NaN.
         if !(length.min(far).min(e) >= *USUAL.start() && length.max(far).max(e) <= *USUAL.end()) {
             return Self::default();
         }
@@ -58,14 +58,14 @@ impl Corrected {
     }
 }
 
-/// a - b, exactly: rounded, and what rounding left out.
+/// Returns a - b, exactly: the rounded difference, and its rounding error.
 #[inline(always)]
 fn apart(a: DVec3, b: DVec3) -> [DVec3; 2] {
     let (x, y, z) = (two_sum(a.x, -b.x), two_sum(a.y, -b.y), two_sum(a.z, -b.z));
     [DVec3::new(x.0, y.0, z.0), DVec3::new(x.1, y.1, z.1)]
 }
 
-/// The rounded product, and what rounding left out.
+/// Returns the rounded product, and its rounding error.
 #[inline(always)]
 fn product<const FUSED: bool>(a: f64, b: f64) -> (f64, f64) {
     if FUSED {

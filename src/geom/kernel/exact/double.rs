@@ -1,19 +1,19 @@
 //! The exact test of triangles and rays in double precision.
 //!
-//! The numbers of single precision never over- or underflow in double; those of double precision do. What is done
-//! where, and why it holds (`[EXACT-7]`):
+//! Numbers of single precision never over- or underflow in double precision; numbers of double precision may. The
+//! stages, with their ranges and proofs (`[EXACT-7]`):
 //!
 //! 1. Bounds for all triangles of the scene, if the greatest component of the direction, the greatest distance of a
-//!    corner from the origin, on an axis, and the extent of the scene are within 2^-200 to 2^200. Other components may be
-//!    of any smallness. Nothing overflows. The bound is above 2^-646, while underflow adds at most 2^-1074 to a
+//!    corner from the origin, on an axis, and the extent of the scene are within 2^-200 to 2^200. Other components may
+//!    be arbitrarily small. Nothing overflows. The bound is above 2^-646, while underflow adds at most 2^-1074 to a
 //!    component of a cross product, and less than 2^-868 to an edge function and the determinant together.
-//! 2. Bounds for the triangle, if its longest edge too is within 2^-200 to 2^200: the same holds.
-//! 3. Distance and weights of a certain hit by quotients that are corrected by what they leave ([`corrected`](super::corrected)),
-//!    where the way to the hit is within 2^-200 to 2^200 too. `[EXACT-14]` What these leave open, in twice the precision of doubles
-//!    ([`fine`]), with bounds: nearly always they round alike.
-//!    A line that certainly meets the triangle does so at a distance below 2^450; where the distance as computed
-//!    underflows, its bounds are above 2^-502 apart, because the error of the numerator is above 2^-50 C E E and the
-//!    determinant at most 4 D E E.
+//! 2. Bounds for the triangle, if its longest edge is also within 2^-200 to 2^200: the same holds.
+//! 3. Distance and weights of a certain hit by quotients that are corrected by their residual
+//!    ([`corrected`](super::corrected)), if the distance of the hit is also within 2^-200 to 2^200. `[EXACT-14]` If
+//!    these leave a number undecided, twice the precision of doubles ([`fine`]), with bounds, which nearly always round
+//!    to one number. The distance of a certain hit is below 2^450. If the distance as computed underflows, its bounds
+//!    are above 2^-502 apart, because the error of the numerator is above 2^-50 C E E and the determinant at most 4 D E
+//!    E.
 //! 4. Exact sums ([`accumulator`](super::accumulator)), for numbers of any size.
 
 use std::cmp::Ordering;
@@ -33,8 +33,8 @@ use crate::geom::{Ray, Region, Triangle};
 /// The exact test of triangles and rays in double precision: closed triangles, `t` and weights the nearest doubles to
 /// the exact ones (ties to even), for every ray and triangle of finite doubles. `[EXACT-7]`
 ///
-/// It is fastest where direction, extent of the scene and edges are within 2^-200 to 2^200 (about 1e-60 to 1e60) in
-/// magnitude. Beyond that, exact sums decide of each triangle whose box is met, in about a microsecond.
+/// It is fastest if direction, extent of the scene and edges are within 2^-200 to 2^200 (about 1e-60 to 1e60) in
+/// magnitude. Beyond that range, exact sums decide each triangle whose box is met, in about a microsecond.
 ///
 /// ```
 /// use glam::DVec3;
@@ -50,7 +50,7 @@ use crate::geom::{Ray, Region, Triangle};
 #[derive(Clone, Copy, Debug)]
 pub struct Exact64 {
     ray: Ray<DVec3>,
-    /// For all triangles of the scene, if that is usual.
+    /// Bounds for all triangles of the scene, if it is within the range.
     errors: Errors,
     /// Whether the greatest components of the ray and of the scene are [`USUAL`].
     is_usual: bool,
@@ -99,7 +99,7 @@ impl Kernel for Exact64 {
 }
 
 impl Exact64 {
-    /// If twice the digits have room, and the hit is certain.
+    /// Computes the corrected hit, if twice the digits have room, and the hit is certain.
     fn corrected(&self, shape: &Triangle<DVec3>) -> Option<Corrected> {
         let is_certain = self.can_filter(shape) && self.determinants(shape).is_hit(&self.errors_of(shape));
         is_certain.then(|| Corrected::of::<false>(&shape.0, self.ray.origin(), self.ray.direction()))
@@ -110,12 +110,12 @@ impl Exact64 {
         Crossing { corners, o: self.ray.origin(), d: self.ray.direction(), has_room: self.can_filter(shape) }
     }
 
-    /// As [`Exact::crosses`](super::Exact::crosses), for doubles of any size. `[PARITY-1]`
+    /// Computes [`Exact::crosses`](super::Exact::crosses) for doubles of any size. `[PARITY-1]`
     pub fn crosses(&self, shape: &Triangle<DVec3>) -> bool {
         self.blocks(shape) && self.is_crossed_by_line(shape)
     }
 
-    /// As [`Parity::sense`](super::Parity::sense).
+    /// Computes [`Parity::sense`](super::Parity::sense).
     pub(super) fn sense(&self, shape: &Triangle<DVec3>) -> i32 {
         parity::sense(&shape.0, self.ray.direction(), self.can_filter(shape))
     }
@@ -131,7 +131,7 @@ impl Exact64 {
         Determinants::of(corners, self.ray.origin(), self.ray.direction())
     }
 
-    /// The distance of what may be a hit.
+    /// Returns the distance of a possible hit.
     #[inline(never)]
     fn place(&self, shape: &Triangle<DVec3>, limit: f64) -> Option<f64> {
         let has_room = self.can_filter(shape);
@@ -149,7 +149,7 @@ impl Exact64 {
         if self.is_inside(shape, has_room) { self.rounded(shape, has_room) } else { None }
     }
 
-    /// Whether what may be a hit is one.
+    /// Returns whether a possible hit is a hit.
     #[inline(never)]
     fn settle(&self, shape: &Triangle<DVec3>) -> bool {
         let has_room = self.can_filter(shape);
@@ -175,18 +175,18 @@ impl Exact64 {
         [self.ray.tmin(), self.ray.tmax()]
     }
 
-    /// Whether the bounds for the triangle hold, and twice the digits have room.
+    /// Returns whether the bounds for the triangle hold, and twice the digits have room.
     fn can_filter(&self, shape: &Triangle<DVec3>) -> bool {
         self.is_usual && has_usual_edges(&shape.0)
     }
 
-    /// Whether the line meets the triangle. Twice the digits are asked if they have room.
+    /// Returns whether the line meets the triangle. It uses twice the digits if they have room.
     fn is_inside(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> bool {
         let (o, d) = (self.ray.origin(), self.ray.direction());
         !predicates::is_flat_at_sight(corners, d) && predicates::is_inside(corners, o, d, has_room)
     }
 
-    /// The distance within the interval, of a certain hit. `[EXACT-14]`
+    /// Returns the distance of a certain hit, within the interval. `[EXACT-14]`
     #[inline]
     fn rounded_hit(&self, shape: &Triangle<DVec3>) -> Option<f64> {
         let [tmin, tmax] = self.interval();
@@ -197,7 +197,7 @@ impl Exact64 {
         }
     }
 
-    /// The distance within the interval, of a line that meets the triangle, likewise. `[EXACT-3]`
+    /// Returns the distance of a line that meets the triangle, within the interval. `[EXACT-3]`
     #[inline]
     fn rounded(&self, Triangle(corners): &Triangle<DVec3>, has_room: bool) -> Option<f64> {
         let (o, d) = (self.ray.origin(), self.ray.direction());
@@ -207,7 +207,7 @@ impl Exact64 {
     }
 }
 
-/// Whether the longest edge of a triangle neither over- nor underflows.
+/// Returns whether the longest edge of a triangle neither over- nor underflows.
 pub(super) fn has_usual_edges([a, b, c]: &[DVec3; 3]) -> bool {
     USUAL.contains(&(b - a).abs().max((c - a).abs()).max_element())
 }

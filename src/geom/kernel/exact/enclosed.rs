@@ -10,19 +10,19 @@ use super::order::Crossing;
 use super::{fine, is_within, placed, predicates, quotient};
 use crate::geom::{EnclosedRay, Interval, Real, Region, Triangle, Vector};
 
-/// What is certain about a ray and a triangle: of a ray within bounds, whatever ray it is.
+/// A certain result for a ray within bounds and a triangle: it holds for each such ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Certainty<T> {
-    /// The triangle is missed, or met outside of the interval or beyond the limit.
+    /// The triangle is missed, or met outside the interval or beyond the limit.
     Miss,
-    /// It is hit, and this is the answer.
+    /// The triangle is hit, with this answer.
     Hit(T),
-    /// The bounds are too wide: the true ray must be asked, or by more digits.
+    /// The bounds are too wide: the true ray must decide, or more digits.
     Open,
 }
 
 impl<T> Certainty<T> {
-    /// The answer, by someone who is certain where this is open.
+    /// Returns the answer; `settle` decides if this is open.
     #[inline]
     pub(super) fn or_else(self, settle: impl FnOnce() -> Option<T>) -> Option<T> {
         match self {
@@ -33,9 +33,10 @@ impl<T> Certainty<T> {
     }
 }
 
-/// The first two stages of [`Exact`](super::Exact) for a ray that is known within bounds: the ray in the middle, with
-/// error bounds that hold for the others too. Triangles are in single precision, or with `f64` in double; for doubles,
-/// bounds of a distance or weight hardly ever round alike, unless the ray is known exactly. `[INST-5]`
+/// The first two stages of [`Exact`](super::Exact) for a ray that is known within bounds: the ray in the center, with
+/// error bounds that also hold for the other rays. Triangles are in single precision, or with `f64` in double
+/// precision. For doubles, bounds of a distance or weight rarely round to one number, unless the ray is known exactly.
+/// `[INST-5]`
 ///
 /// ```
 /// use glam::Vec3;
@@ -49,7 +50,7 @@ impl<T> Certainty<T> {
 ///     Ok(EnclosedTest::new(&ray, [0.0, 9.0], &Region::of(&triangle.aabb())).distance(&triangle, 9.0))
 /// };
 /// assert_eq!((at(0.5)?, at(4.0)?), (Certainty::Hit(7.0), Certainty::Miss));
-/// // Through an edge, perhaps.
+/// // Possibly through an edge.
 /// assert_eq!(at(0.0)?, Certainty::Open);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -57,20 +58,20 @@ impl<T> Certainty<T> {
 pub struct EnclosedTest<R: Real = f32> {
     origin: DVec3,
     direction: DVec3,
-    /// How far the components of the true origin and direction may be from these.
+    /// Error bounds of the components of origin and direction.
     off: [f64; 2],
     /// The distance of the origin.
     start: Interval,
     interval: [R; 2],
-    /// For all triangles of the object.
+    /// Bounds for all triangles of the object.
     errors: Errors,
     is_usual: bool,
-    /// Whether the ray is known exactly, so that exact sums may tell what bounds do not.
+    /// Whether the ray is known exactly, so that exact sums may decide the cases that bounds leave open.
     is_exact: bool,
 }
 
 impl<R: Real> EnclosedTest<R> {
-    /// Prepares a ray with `interval` from tmin to tmax. `region` must hold all triangles that it is asked about.
+    /// Prepares a ray with `interval` from tmin to tmax. `region` must contain all triangles of the tests.
     pub fn new(ray: &EnclosedRay, interval: [R; 2], region: &Region) -> Self {
         let ((origin, moved), (direction, turned)) =
             (Interval::middles(&ray.origin), Interval::middles(&ray.direction));
@@ -86,13 +87,13 @@ impl<R: Real> EnclosedTest<R> {
         Self { origin, direction, off, start, interval, errors, is_usual: can_filter, is_exact }
     }
 
-    /// [`Kernel::distance`](crate::geom::Kernel::distance), where it is certain.
+    /// Computes [`Kernel::distance`](crate::geom::Kernel::distance), if it is certain.
     #[inline]
     pub fn distance<V: Vector<Real = R>>(&self, shape: &Triangle<V>, limit: R) -> Certainty<R> {
         self.decide(shape, |ends| placed(ends, self.interval, limit))
     }
 
-    /// [`Kernel::blocks`](crate::geom::Kernel::blocks), where it is certain.
+    /// Computes [`Kernel::blocks`](crate::geom::Kernel::blocks), if it is certain.
     #[inline]
     pub fn blocks<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Certainty<()> {
         self.decide(shape, |ends| match is_within(ends, self.interval) {
@@ -102,7 +103,7 @@ impl<R: Real> EnclosedTest<R> {
         })
     }
 
-    /// [`Kernel::weights`](crate::geom::Kernel::weights), where they are certain.
+    /// Computes [`Kernel::weights`](crate::geom::Kernel::weights), if they are certain.
     pub fn weights<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[R; 2]> {
         let crossing = self.crossing(shape);
         if let Some((found, errors)) = &crossing {
@@ -117,8 +118,8 @@ impl<R: Real> EnclosedTest<R> {
             .or_else(|| Some(quotient::weights(&corners, self.origin, self.direction)))
     }
 
-    /// What bounds leave open, told by more digits and by exact sums where the ray is known exactly: the distance, if that
-    /// is within the closed interval.
+    /// Decides the cases that bounds leave open, by more digits, and by exact sums if the ray is known exactly. Returns
+    /// the distance, if it is within the closed interval.
     pub fn settle<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Certainty<R> {
         let Some(corners) = self.exact_corners(shape) else { return Certainty::Open };
         let (o, d) = (self.origin, self.direction);
@@ -134,8 +135,8 @@ impl<R: Real> EnclosedTest<R> {
         quotient::distance(&corners, o, d, self.interval).map_or(Certainty::Miss, Certainty::Hit)
     }
 
-    /// Compares the distances of two triangles that the ray is known to meet, each in the space of its own test, where
-    /// the rays are known exactly or bounds tell. `[EXACT-13]`
+    /// Compares the distances of two triangles that the ray is known to meet, each in the space of its test. It decides
+    /// if the rays are known exactly or the bounds are disjoint. `[EXACT-13]`
     pub(crate) fn compare<V: Vector<Real = R>>(
         &self,
         shape: &Triangle<V>,
@@ -159,18 +160,18 @@ impl<R: Real> EnclosedTest<R> {
         Crossing { corners, o: self.origin, d: self.direction, has_room }
     }
 
-    /// Bounds of the distance to a triangle that the ray certainly crosses, at whatever distance. `[SECOND-3]`
+    /// Returns bounds of the distance to a triangle that the ray certainly crosses, at any distance. `[SECOND-3]`
     pub(crate) fn span<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[f64; 2]> {
         self.crossing(shape).map(|(found, errors)| self.after_start(found.distance(&errors)))
     }
 
-    /// Bounds of a distance, from those of what is left of it at the origin. `[INST-7]`
+    /// Returns bounds of a distance, from those of the distance from the moved origin. `[INST-7]`
     #[inline(always)]
     fn after_start(&self, ends: [f64; 2]) -> [f64; 2] {
         if self.start == Interval::exact(0.0) { ends } else { (Interval::between(ends) + self.start).ends() }
     }
 
-    /// Asks with the bounds for the object, and again with those for the triangle.
+    /// Decides with the bounds for the object, and then with those for the triangle.
     #[inline(always)]
     fn decide<V: Vector<Real = R>, T>(
         &self,
@@ -196,19 +197,19 @@ impl<R: Real> EnclosedTest<R> {
         self.stage(shape).map_or(Certainty::Open, |(found, errors)| decide(&found, &errors, &place))
     }
 
-    /// With the bounds for this triangle, if they hold.
+    /// Decides with the bounds for this triangle, if they hold.
     fn stage<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<(Determinants, Errors)> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
         (self.is_usual && has_usual_edges(&corners))
             .then(|| (Determinants::of(&corners, o, d), Errors::of_triangle_within(self.off, &corners, o, d)))
     }
 
-    /// The same of a triangle that the ray certainly crosses.
+    /// Decides with the bounds for a triangle that the ray certainly crosses.
     fn crossing<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<(Determinants, Errors)> {
         self.stage(shape).filter(|(found, errors)| found.is_hit(errors))
     }
 
-    /// The corners, where the ray is known exactly.
+    /// Returns the corners, if the ray is known exactly.
     fn exact_corners<V: Vector<Real = R>>(&self, shape: &Triangle<V>) -> Option<[DVec3; 3]> {
         self.is_exact.then(|| shape.widen())
     }

@@ -1,8 +1,8 @@
 //! Signs, distances and weights in twice the digits of a double. `[EXACT-10]`
 //!
-//! A double holds no more digits than the quotient of the filter, whose bounds therefore hardly ever round alike. These
-//! nearly always do, at a fraction of the cost of exact sums. And they tell signs where the filter does not: of rays
-//! from afar, and of those nearly in the plane of a triangle.
+//! A double has no more digits than the quotient of the filter, so the filter's bounds rarely round to one number. The
+//! bounds here nearly always do, at a fraction of the cost of exact sums. They also determine signs that the filter
+//! leaves open: of distant rays, and of rays nearly in the plane of a triangle.
 
 use std::cmp::Ordering;
 use std::ops::Add as _;
@@ -27,12 +27,12 @@ pub(in crate::geom) struct FineDeterminants {
 }
 
 impl FineDeterminants {
-    /// No component of the direction, and none of a corner as seen from the origin, may be above 2^200.
+    /// Computes them. No component of the direction, and none of a corner relative to the origin, may be above 2^200.
     pub(super) fn new(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Self {
         Self::of(&corners.map(exact), o, d)
     }
 
-    /// Of corners that are known within bounds; `None` where a number is above 2^200. `[INST-5]`
+    /// Computes them for corners that are known within bounds; `None` if a number is above 2^200. `[INST-5]`
     pub(in crate::geom) fn within_range(corners: &[[Fine; 3]; 3], o: DVec3, d: DVec3) -> Option<Self> {
         let most = power_of_two(200);
         let is_small = o.abs().max_element() <= most && d.abs().max_element() <= most;
@@ -45,8 +45,8 @@ impl FineDeterminants {
         Self { det: dot(&e1, &cross(&d, &e2)), d, s, e1, e2 }
     }
 
-    /// The distance to the triangle, rounded to the nearest float, if it is in an interval, not at an end. The corners
-    /// and the origin are those that this was made of. `[INST-5]`
+    /// Returns the distance to the triangle, rounded to the nearest float, if it is in an interval, not at an end.
+    /// Corners and origin must be those of the constructor. `[INST-5]`
     pub(in crate::geom) fn met<R: Real>(
         &self,
         corners: &[[Fine; 3]; 3],
@@ -64,7 +64,7 @@ impl FineDeterminants {
         }
     }
 
-    /// Whether the line meets the triangle. `None` where the signs do not tell.
+    /// Returns whether the line meets the triangle. `None` if the signs are undecided.
     fn meets(&self, corners: &[[Fine; 3]; 3], o: DVec3) -> Option<bool> {
         let (u, v) = (self.second(), self.third());
         let signs = [u, v, self.det - u - v, self.det].map(Fine::sign);
@@ -79,8 +79,8 @@ impl FineDeterminants {
         (is_on && det.is_some_and(|det| det != 0.0)).then_some(true)
     }
 
-    /// The distance, rounded to the nearest float, if that is certain and is in an interval, not at an end. Rounding
-    /// keeps the order, so that only an end that is equal leaves a question.
+    /// Returns the distance, rounded to the nearest float, if that is certain and is in an interval, not at an end.
+    /// Rounding keeps the order, so only an equal end leaves the result open.
     fn distance_within<R: Real>(&self, [tmin, tmax]: [R; 2]) -> Option<R> {
         self.distance().filter(|t| tmin < *t && *t < tmax)
     }
@@ -89,13 +89,13 @@ impl FineDeterminants {
         self.nearest(self.top())
     }
 
-    /// The distance times the determinant.
+    /// Returns the distance times the determinant.
     fn top(&self) -> Fine {
         dot(&self.e2, &cross(&self.s, &self.e1))
     }
 
-    /// The distance of a line that meets the triangle, rounded to the nearest float: a miss if it is not in the closed
-    /// interval. `[EXACT-10]`
+    /// Returns the distance of a line that meets the triangle, rounded to the nearest float: a miss if it is not in the
+    /// closed interval. `[EXACT-10]`
     pub(super) fn placed<R: Real>(&self, interval @ [tmin, tmax]: [R; 2]) -> Certainty<R> {
         match self.distance::<R>() {
             Some(t) if tmin < t && (t < tmax || tmax == R::INFINITY) => Certainty::Hit(t),
@@ -108,42 +108,42 @@ impl FineDeterminants {
         }
     }
 
-    /// The distance, if it is a double: then the middle of two floats and the ends of intervals are told.
+    /// Returns the distance, if it is a double: this decides the middle of two floats and the ends of intervals.
     fn double_distance(&self) -> Option<f64> {
         let top = self.top();
         let t = top.middle() / self.det.middle();
         ((Fine::exact(t) * self.det - top).sign() == Some(0.0)).then_some(t)
     }
 
-    /// Compares the distance with that to another triangle, if twice the digits tell. `[EXACT-13]`
+    /// Compares the distance with that to another triangle, if twice the digits decide. `[EXACT-13]`
     pub(in crate::geom) fn compare_distance(&self, other: &Self) -> Option<Ordering> {
         self.compare_quotient([other.top(), other.det])
     }
 
-    /// Compares the distance with a number, likewise.
+    /// Compares the distance with a number, if twice the digits decide.
     pub(in crate::geom) fn compare_distance_with(&self, t: Fine) -> Option<Ordering> {
         self.compare_quotient([t, Fine::exact(1.0)])
     }
 
-    /// Multiplied crosswise. What over- or underflows leaves the sign open.
+    /// Multiplies crosswise. Over- or underflow leaves the sign open.
     fn compare_quotient(&self, [top, det]: [Fine; 2]) -> Option<Ordering> {
         let apart = (self.top() * det - top * self.det).sign()?;
         let is_turned = (self.det.sign()? < 0.0) != (det.sign()? < 0.0);
         if is_turned { 0.0.partial_cmp(&apart) } else { apart.partial_cmp(&0.0) }
     }
 
-    /// The weights of the second and the third corner, likewise.
+    /// Returns the weights of the second and the third corner, if twice the digits decide.
     pub(in crate::geom) fn weights<R: Real>(&self) -> Option<[R; 2]> {
         let u = self.nearest(self.second())?;
         Some([u, self.nearest(self.third())?])
     }
 
-    /// The weight of the second corner times the determinant.
+    /// Returns the weight of the second corner times the determinant.
     fn second(&self) -> Fine {
         dot(&self.s, &cross(&self.d, &self.e2))
     }
 
-    /// That of the third corner.
+    /// Returns the weight of the third corner times the determinant.
     fn third(&self) -> Fine {
         dot(&self.d, &cross(&self.s, &self.e1))
     }
@@ -153,21 +153,21 @@ impl FineDeterminants {
     }
 }
 
-/// The weights of the second and the third corner, rounded to the nearest floats, if they are certain. No number may be
-/// above 2^200.
+/// Returns the weights of the second and the third corner, rounded to the nearest floats, if they are certain. No
+/// number may be above 2^200.
 pub(super) fn weights<R: Real>(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<[R; 2]> {
     let found = FineDeterminants::new(corners, o, d);
     let found = if is_far(corners, o) { FineDeterminants { s: shortened(found.s, d).0, ..found } } else { found };
     found.weights()
 }
 
-/// A point of a line, and how far it may be off, on each axis.
+/// A point of a line, with an error bound on each axis.
 pub(super) struct NearPoint {
     point: DVec3,
     off: f64,
 }
 
-/// A point of the line that is near to a triangle, if the line begins far away. No number may be above 2^200.
+/// Returns a point of the line near to a triangle, if the line starts far away. No number may be above 2^200.
 /// `[EXACT-12]`
 pub(super) fn near_point(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<NearPoint> {
     is_far(corners, o).then(|| {
@@ -180,7 +180,7 @@ pub(super) fn near_point(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<Nea
 }
 
 impl NearPoint {
-    /// Whether the line meets the triangle, where the bounds of a ray from there tell. `[INST-5]`
+    /// Returns whether the line meets the triangle, if the bounds of a ray from the near point decide. `[INST-5]`
     pub(super) fn is_inside(&self, corners: &[DVec3; 3], d: DVec3) -> Option<bool> {
         let found = Determinants::of(corners, self.point, d);
         let errors = Errors::of_triangle_within([self.off, 0.0], corners, self.point, d);
@@ -196,16 +196,16 @@ impl NearPoint {
     }
 }
 
-/// Whether a triangle is so much farther than its edges are long that many of twice the digits cancel.
+/// Returns whether the distance of a triangle exceeds its edges so much that many of twice the digits cancel.
 fn is_far(&[v0, v1, v2]: &[DVec3; 3], o: DVec3) -> bool {
     let edges = (v1 - v0).abs().max((v2 - v0).abs());
     (o - v0).abs().max_element() > edges.max_element() * FAR
 }
 
-/// A way of so many edges is far.
+/// Number of edge lengths from which on a distance is far.
 pub(super) const FAR: f64 = power_of_two(32);
 
-/// A number with the sign of d . (a x b), where that is certain. No number may be above 2^200.
+/// Returns a number with the sign of d . (a x b), if that is certain. No number may be above 2^200.
 pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
     let [a, b] = [a, b].map(|v| v.map(Fine::of_two));
     // Often d is along an axis.
@@ -216,8 +216,8 @@ pub(super) fn volume(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
     terms.fold(Fine::ZERO, Fine::add).sign()
 }
 
-/// The same, where b is the way to an edge a from a point of a line with the direction d, which is far: it is told from one
-/// that is near, since d . (a x (b - x d)) is d . (a x b) for any x. `[EXACT-12]`
+/// Computes [`volume`] for a vector b from a far point of a line with the direction d to an edge a. It uses a near
+/// point of the line, since d . (a x (b - x d)) is d . (a x b) for any x. `[EXACT-12]`
 pub(super) fn volume_from_near(d: DVec3, a: &Pairs, b: &Pairs) -> Option<f64> {
     let [a, b] = [a, b].map(|v| v.map(Fine::of_two));
     dot(&exact(d), &cross(&a, &shortened(b, d).0)).sign()

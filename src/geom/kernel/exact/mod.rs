@@ -1,13 +1,13 @@
 //! The answer of rational arithmetic, in stages.
 //!
-//! 1. Double precision with error bounds for all triangles of the scene at once: signs that are certain are taken, and
-//!    the distance, if both ends of its error interval round to the same number. Nearly all tests end here.
-//!    ([`ExactFromSingle`] asks single precision first, with a bound for each triangle; a search asks a [`TriangleFilter`]
-//!    first, about four at once.)
-//! 2. The same with error bounds for this triangle, or with none where nothing is rounded. `[EXACT-11]`
-//! 3. Twice the digits of a double, with bounds. `[EXACT-10]` In double precision, before that, a quotient that is corrected
-//!    by what it leaves. `[EXACT-14]`
-//! 4. Exact sums ([`Accumulator`]), for what is left.
+//! 1. Double precision with error bounds for all triangles of the scene at once. It decides if signs are certain, and
+//!    the distance if both ends of its error interval round to the same number. Nearly all tests end here.
+//!    ([`ExactFromSingle`] first tries single precision, with a bound for each triangle; a search first uses a
+//!    [`TriangleFilter`], for four triangles at once.)
+//! 2. Double precision with error bounds for this triangle, or without bounds if nothing is rounded. `[EXACT-11]`
+//! 3. Twice the digits of a double, with bounds. `[EXACT-10]` In double precision, before that, a quotient that is
+//!    corrected by its residual. `[EXACT-14]`
+//! 4. Exact sums ([`Accumulator`]), for the remaining cases.
 //!
 //! The stages and their bounds: spec/exactness.md, `[EXACT-2]` to `[EXACT-6]`. After Shewchuk 1997, "Adaptive precision
 //! floating-point arithmetic and fast robust geometric predicates", and Bartels et al. 2022, arXiv:2208.00497.
@@ -56,7 +56,7 @@ pub struct Exact {
     origin: DVec3,
     direction: DVec3,
     interval: [f32; 2],
-    /// For all triangles of the scene.
+    /// Bounds for all triangles of the scene.
     errors: Errors,
 }
 
@@ -134,15 +134,15 @@ impl Kernel for Exact {
     }
 }
 
-/// The exact test for many triangles: of those that coincide and take the last stages, one is asked. There may be many,
-/// and each would take as long as the first.
+/// The exact test for many triangles: of coincident triangles that need the last stages, it tests one. There may be
+/// many, and each would take as long as the first.
 #[derive(Clone, Debug)]
 pub(in crate::geom) struct ExactOnce {
     pub(in crate::geom) exact: Exact,
     last: Cell<Last>,
 }
 
-/// What the last stages found of a triangle: its distance.
+/// The result of the last stages for a triangle: its distance.
 type Last = Once<Triangle, Option<f32>>;
 
 impl ExactOnce {
@@ -163,7 +163,8 @@ impl ExactOnce {
 }
 
 impl Exact {
-    /// [`distance`](Kernel::distance), if the first stage finds it; the rest is asked for what it leaves open.
+    /// Returns the [`distance`](Kernel::distance), if the first stage finds it; `rest` decides the cases that it leaves
+    /// open.
     #[inline(always)]
     fn distance_or(&self, shape: &Triangle, limit: f32, rest: impl FnOnce() -> Option<f32>) -> Option<f32> {
         let ([tmin, _], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
@@ -182,12 +183,12 @@ impl Exact {
         rest()
     }
 
-    /// In single precision twice the digits have room always.
+    /// For single precision, twice the digits always have room.
     const fn crossing<'a>(&self, corners: &'a [DVec3; 3]) -> Crossing<'a> {
         Crossing { corners, o: self.origin, d: self.direction, has_room: true }
     }
 
-    /// The weights that the first two stages leave open.
+    /// Returns the weights that the first two stages leave open.
     #[cold]
     #[inline(never)]
     fn settle_weights(&self, corners: &[DVec3; 3]) -> [f32; 2] {
@@ -195,8 +196,8 @@ impl Exact {
         fine::weights(corners, o, d).unwrap_or_else(|| quotient::weights(corners, o, d))
     }
 
-    /// The stages after the first. In a scene of many small triangles the errors of the first are too great for a third of
-    /// all hits, and nearly all of these end with the errors of the second.
+    /// Runs the stages after the first. In a scene of many small triangles the errors of the first stage are too great
+    /// for a third of all hits, and nearly all of these end with the errors of the second.
     #[inline(never)]
     fn settle(&self, shape: &Triangle, last: Option<&Cell<Last>>) -> Option<f32> {
         let (corners, o, d) = (shape.widen(), self.origin, self.direction);
@@ -212,7 +213,7 @@ impl Exact {
         placed.or_else(|| last.map_or_else(ask, ask_once))
     }
 
-    /// What the errors of a triangle leave open.
+    /// Decides the cases that the errors of a triangle leave open.
     #[cold]
     #[inline(never)]
     fn settle_rest(&self, corners: &[DVec3; 3], found: &Determinants, errors: &Errors) -> Option<f32> {
@@ -225,7 +226,7 @@ impl Exact {
             return None;
         }
         if Determinants::are_exact(corners, o, d) {
-            // On a coarse grid, as in a lattice, an edge is met for sure.
+            // On a coarse grid, such as a lattice, the result at an edge is certain.
             if found.is_miss(&Errors::NONE) || found.are_parallel() {
                 return None;
             }
@@ -239,19 +240,20 @@ impl Exact {
     }
 }
 
-/// Whether a line is known to be parallel to a triangle: on a coarse grid from its determinant, wherever it begins.
+/// Returns whether a line is known to be parallel to a triangle: on a coarse grid from its determinant, for any origin.
 fn is_parallel(found: &Determinants, corners: &[DVec3; 3], d: DVec3) -> bool {
     if Determinants::has_exact_det(corners, d) { found.are_parallel() } else { predicates::is_parallel(corners, d) }
 }
 
-/// Whether bounds of a distance that are rounded to these floats settle it: it is that float, and within the interval.
+/// Returns whether bounds of a distance that are rounded to these floats decide it: it is that float, and within the
+/// interval.
 #[inline(always)]
 fn is_certain<R: PartialOrd>([near, far]: [R; 2], [tmin, tmax]: [R; 2]) -> bool {
     near == far && tmin < near && near < tmax
 }
 
-/// The distance of a line that certainly meets the triangle, from bounds that are rounded to these floats: a miss if it
-/// is outside of the interval, or beyond the limit.
+/// Returns the distance of a line that certainly meets the triangle, from bounds that are rounded to these floats: a
+/// miss if it is outside the interval, or beyond the limit.
 #[inline(always)]
 fn placed<R: PartialOrd + Copy>(ends @ [near, far]: [R; 2], interval @ [tmin, _]: [R; 2], limit: R) -> Certainty<R> {
     if is_certain(ends, interval) {
@@ -263,7 +265,8 @@ fn placed<R: PartialOrd + Copy>(ends @ [near, far]: [R; 2], interval @ [tmin, _]
     }
 }
 
-/// Whether a distance within bounds is within an interval; `None` if bounds and ends of the interval leave that open.
+/// Returns whether a distance within bounds is within an interval; `None` if bounds and ends of the interval leave that
+/// open.
 #[inline(always)]
 fn is_within<R: PartialOrd>([near, far]: [R; 2], [tmin, tmax]: [R; 2]) -> Option<bool> {
     if tmin < near && far < tmax {
@@ -280,7 +283,7 @@ fn greatest(v: Vec3) -> f32 {
     greater(greater(v.x, v.y), v.z)
 }
 
-/// The greater of two numbers, in one instruction: none is a NaN here.
+/// Returns the greater of two numbers, in one instruction: none is a NaN here.
 #[inline(always)]
 fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }

@@ -1,8 +1,8 @@
 //! The order of hits whose rounded distances are equal. `[EXACT-13]`
 //!
-//! Nearly all of these are the faces around an edge or a corner that the line meets, and faces of one floor or wall, which
-//! may coincide. Their exact distances are equal, which is found without computing them. The others are compared by numbers
-//! of twice the digits, and by exact sums where these do not tell.
+//! Nearly all such hits are the faces around an edge or a corner that the line meets, and faces of one floor or wall,
+//! which may coincide. Their exact distances are equal, which the code decides without computing them. Other hits are
+//! compared by numbers of twice the digits, and by exact sums if these do not decide.
 
 use std::cmp::Ordering;
 
@@ -49,13 +49,13 @@ impl Crossing<'_> {
         by_digits.unwrap_or_else(|| self.fraction().cmp(&exact))
     }
 
-    /// Whether the line of one ray certainly meets both triangles in one point.
+    /// Returns whether the line of one ray certainly meets both triangles in one point.
     fn is_met_with(&self, other: &Self) -> bool {
         let (Self { corners, o, d, has_room }, others) = (*self, other.corners);
         let has_room = has_room && other.has_room;
         let shared = corners.map(|corner| others.contains(&corner));
         let is_through = |corner: DVec3| {
-            // Seen from the origin, the corner is along the direction.
+            // Relative to the origin, the corner is along the direction.
             DVec3::AXES.iter().all(|&axis| predicates::sign(axis, [DVec3::ZERO, d], [o, corner], has_room).is_eq())
         };
         let [a, b, c] = *corners;
@@ -81,7 +81,7 @@ impl Crossing<'_> {
     }
 }
 
-/// Whether triangles lie in one plane across an axis, as floors do, or along one, as walls do that stand on one line: seen
+/// Returns whether triangles lie in one plane across an axis, like floors, or along one, like walls on one line: seen
 /// along the axis, their corners are two points.
 fn are_in_one_wall(corners: &[DVec3; 3], others: &[DVec3; 3]) -> bool {
     let all = || corners.iter().chain(others);

@@ -1,15 +1,16 @@
-//! Which triangles a ray crosses when crossings are counted.
+//! The triangles that a ray crosses when crossings are counted.
 //!
-//! A closed triangle is met at its edges and corners too, so that no ray slips between two of them; but a ray through
-//! an edge meets both triangles there, and one that touches a surface meets two where it crosses none. Here the ray's
-//! origin is moved, by (ε, ε², ε³) with an ε that is positive and smaller than any number: then the ray meets no edge
-//! and no corner, and each crossing is that of one triangle. (Edelsbrunner & Mücke 1990, "Simulation of simplicity".)
+//! A closed triangle is met at its edges and corners too, so no ray slips between two triangles. But a ray through an
+//! edge meets both triangles there, and a ray that touches a surface meets two triangles and crosses none. Here the
+//! ray's origin is moved, by (ε, ε², ε³) with an ε that is positive and smaller than any number. Then the ray meets no
+//! edge and no corner, and each crossing is that of one triangle. (Edelsbrunner & Mücke 1990, "Simulation of
+//! simplicity".)
 //!
-//! The edge function of the edge from X to Y, both as seen from the origin, is d . (Y x X). If the origin moves by m,
-//! it becomes d . ((Y - m) x (X - m)) = d . (Y x X) + m . ((Y - X) x d), exactly. So where it is 0, its sign is that of
-//! the first component of (Y - X) x d that is not 0. From Y to X both are the opposite: the two triangles at an edge
-//! decide alike. If all components are 0, the edge is parallel to the ray; then the determinant is 0, and the moved ray
-//! misses. The determinant does not change, and the distance changes by less than any number. `[PARITY-1]`
+//! The edge function of the edge from X to Y, relative to the origin, is d . (Y x X). If the origin moves by m, it
+//! becomes d . ((Y - m) x (X - m)) = d . (Y x X) + m . ((Y - X) x d), exactly. So if it is 0, its sign is that of the
+//! first component of (Y - X) x d that is not 0. From Y to X both have the opposite sign: the two triangles at an edge
+//! decide consistently. If all components are 0, the edge is parallel to the ray; then the determinant is 0, and the
+//! moved ray misses. The determinant does not change, and the distance changes by less than any number. `[PARITY-1]`
 
 use std::cmp::Ordering;
 
@@ -22,12 +23,12 @@ use crate::geom::{Kernel, Triangle};
 
 /// A triangle test that can count crossings.
 pub trait Parity: Kernel<Shape = Triangle<<Self as Kernel>::Vector>> {
-    /// [`Exact::crosses`], in either precision. `[PARITY-1]`
+    /// Computes [`Exact::crosses`], in either precision. `[PARITY-1]`
     fn is_crossing(&self, shape: &Self::Shape) -> bool;
 
-    /// The side of a triangle that a ray comes from, if the ray crosses it: 1 from behind, where it leaves the solid of
-    /// a mesh whose faces are seen counterclockwise from outside, and -1 from the front. Of a triangle that is parallel
-    /// to the ray, 0.
+    /// Returns the side of a triangle from which a ray that crosses it comes. It is 1 from behind, where the ray leaves
+    /// the solid of a mesh with faces counterclockwise from outside, and -1 from the front. For a triangle that is
+    /// parallel to the ray, it is 0.
     fn sense(&self, shape: &Self::Shape) -> i32;
 }
 
@@ -52,18 +53,18 @@ impl Parity for Exact64 {
     }
 }
 
-/// The sign of d . n, for the normal n.
+/// Returns the sign of d . n, for the normal n.
 pub(super) fn sense(&[a, b, c]: &[DVec3; 3], d: DVec3, has_room: bool) -> i32 {
     sign(d, [a, b], [a, c], has_room) as i32
 }
 
 impl Exact {
-    /// Whether the ray crosses the triangle within its interval, ends included, in the sense that counts each crossing
-    /// of a closed mesh once: at an edge or corner, for one of the triangles there. `[PARITY-1]`
+    /// Returns whether the ray crosses the triangle within its interval, ends included, by the rule that counts each
+    /// crossing of a closed mesh once: at an edge or corner, for one of the triangles there. `[PARITY-1]`
     ///
-    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no others. The
-    /// number of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its origin
-    /// an odd number of times, as it does around a point inside; unless the origin is on the mesh.
+    /// It holds for some of the triangles that [`distance`](super::Kernel::distance) finds, and for no other triangles.
+    /// The number of triangles of a closed mesh that a ray without end crosses is odd if the mesh winds around its
+    /// origin an odd number of times, as it does around a point inside; unless the origin is on the mesh.
     ///
     /// ```
     /// use glam::Vec3;
@@ -93,8 +94,8 @@ impl Exact {
     }
 }
 
-/// Whether the moved line meets the triangle: whether all edge functions have one sign. Twice the digits are asked if
-/// they have room.
+/// Returns whether the moved line meets the triangle: whether all edge functions have one sign. It uses twice the
+/// digits if they have room.
 #[cold]
 #[inline(never)]
 pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
@@ -102,7 +103,7 @@ pub(super) fn is_crossed_by_line(&[a, b, c]: &[DVec3; 3], o: DVec3, d: DVec3, ha
     first.is_ne() && [[c, a], [a, b]].into_iter().all(|edge| side(edge, o, d, has_room) == first)
 }
 
-/// The sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
+/// Returns the sign of an edge function for the moved origin; 0 if the edge is parallel to the direction.
 fn side([from, to]: [DVec3; 2], o: DVec3, d: DVec3, has_room: bool) -> Ordering {
     let moved = |axis: DVec3| sign(axis, [from, to], [DVec3::ZERO, d], has_room);
     [DVec3::X, DVec3::Y, DVec3::Z]

@@ -12,26 +12,26 @@ use crate::geom::frame::power_of_two;
 /// A vector whose components are sums of two numbers.
 pub(super) type Pairs = [[f64; 2]; 3];
 
-/// The sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, if they have room, and
-/// by an exact sum where those do not tell.
+/// Returns the sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, if they have
+/// room, and by an exact sum if those do not decide.
 pub(super) fn edge(d: DVec3, o: DVec3, from: DVec3, to: DVec3, has_room: bool) -> Ordering {
     let [a, b] = side(o, from, to);
     sign(d, a, b, has_room)
 }
 
-/// The sign of d . (a x b) of vectors from one point to another, likewise.
+/// Returns the sign of d . (a x b) for vectors from one point to another, by the same stages.
 pub(super) fn sign(d: DVec3, a: [DVec3; 2], b: [DVec3; 2], has_room: bool) -> Ordering {
     let known = if has_room { fine_volume(d, a, b) } else { None };
     known.unwrap_or_else(|| volume(d, a, b))
 }
 
-/// The ends of a and b, of which d . (a x b) is the edge function: with the edge itself in place of one of both. From
-/// afar, much less cancels so.
+/// Returns the ends of a and b such that d . (a x b) is the edge function. The edge itself replaces one of them,
+/// because less cancels for a far origin.
 fn side(o: DVec3, from: DVec3, to: DVec3) -> [[DVec3; 2]; 2] {
     [[from, to], [o, from]]
 }
 
-/// The sign of d . (a x b), if twice the digits tell; for numbers up to 2^200. `[EXACT-10]`
+/// Returns the sign of d . (a x b), if twice the digits decide; for numbers up to 2^200. `[EXACT-10]`
 fn fine_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
     let [edge, way] = [a, b].map(|[from, to]| (to - from).abs().max_element());
     if way > edge * fine::FAR {
@@ -41,7 +41,7 @@ fn fine_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
     fine::volume(d, &a, &b)?.partial_cmp(&0.0)
 }
 
-/// The same from a point of the line that is near to the edge a, b being the way to it. `[EXACT-12]`
+/// Returns this sign from a point of the line near to the edge a; b is the vector to the edge. `[EXACT-12]`
 #[cold]
 #[inline(never)]
 fn near_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
@@ -49,24 +49,24 @@ fn near_volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Option<Ordering> {
     fine::volume_from_near(d, &a, &b)?.partial_cmp(&0.0)
 }
 
-/// The sign of d . (a x b) of vectors from one point to another, by an exact sum. `[EXACT-8]`
+/// Returns the sign of d . (a x b) for vectors from one point to another, by an exact sum. `[EXACT-8]`
 pub(super) fn volume(d: DVec3, a: [DVec3; 2], b: [DVec3; 2]) -> Ordering {
     Accumulator::volume(&apart([DVec3::ZERO, d]), &apart(a), &apart(b)).sign()
 }
 
-/// From one point to another, exactly: where a difference overflows, its parts.
+/// Returns the vector from one point to another, exactly: if a difference overflows, as its operands.
 pub(super) fn apart([from, to]: [DVec3; 2]) -> Pairs {
     let difference = minus(to, from);
     [0, 1, 2].map(|k| if difference[k][1].is_nan() { [to[k], -from[k]] } else { difference[k] })
 }
 
-/// a - b, exactly where no difference is above 2^1000.
+/// Returns a - b, which is exact if no difference is above 2^1000.
 fn minus(a: DVec3, b: DVec3) -> Pairs {
     [0, 1, 2].map(|k| difference(a[k], b[k]))
 }
 
-/// Whether a line meets the closed triangle, in one point; see [`is_flat_at_sight`] first. Twice the digits are asked
-/// if they have room.
+/// Returns whether a line meets the closed triangle, in one point; call [`is_flat_at_sight`] first. It uses twice the
+/// digits if they have room.
 #[cold]
 #[inline(never)]
 pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool) -> bool {
@@ -89,10 +89,10 @@ pub(super) fn is_inside(corners: &[DVec3; 3], o: DVec3, d: DVec3, has_room: bool
     meets(known.map(|(&[a, b], known)| known.or_else(|| Some(volume(d, a, b))))).unwrap_or(false)
 }
 
-/// By the signs of the edge functions; `None` if too few are known.
+/// Decides by the signs of the edge functions; `None` if too few are known.
 ///
-/// With A, B, C the corners as seen from the origin, these are d . (C x B), d . (A x C) and d . (B x A). None may
-/// differ in sign from another; all three are 0 only if the determinant, their sum, is.
+/// With A, B, C the corners relative to the origin, these are d . (C x B), d . (A x C) and d . (B x A). None may differ
+/// in sign from another; all three are 0 only if the determinant, their sum, is.
 fn meets(signs: impl Iterator<Item = Option<Ordering>>) -> Option<bool> {
     let (mut any_positive, mut any_negative, mut are_known) = (false, false, true);
     for sign in signs {
@@ -106,21 +106,21 @@ fn meets(signs: impl Iterator<Item = Option<Ordering>>) -> Option<bool> {
     are_known.then_some(any_positive || any_negative)
 }
 
-/// Whether twice the digits tell that a line is parallel to a triangle, for numbers up to 2^200. `[EXACT-10]`
+/// Returns whether twice the digits prove that a line is parallel to a triangle, for numbers up to 2^200. `[EXACT-10]`
 #[cold]
 #[inline(never)]
 pub(super) fn is_parallel(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     fine_volume(d, [v0, v1], [v0, v2]) == Some(Ordering::Equal)
 }
 
-/// Whether a determinant is 0 at sight: two corners are one point, or the triangle lies across an axis, as walls and
-/// floors do, and the line is parallel to it. Twice the digits and sums would tell it at length. For numbers of any
+/// Returns whether a determinant is obviously 0: two corners are one point, or the triangle lies across an axis, like
+/// walls and floors, and the line is parallel to it. Twice the digits and sums would need longer. For numbers of any
 /// size.
 pub(super) fn is_flat_at_sight(&[v0, v1, v2]: &[DVec3; 3], d: DVec3) -> bool {
     v0 == v1 || v0 == v2 || v1 == v2 || (d.cmpeq(DVec3::ZERO) & v0.cmpeq(v1) & v0.cmpeq(v2)).any()
 }
 
-/// Whether corners lie on a line: whether the cross product of two edges is 0, exactly.
+/// Returns whether corners lie on a line: whether the cross product of two edges is 0, exactly.
 pub(in crate::geom) fn is_degenerate(corners: &[DVec3; 3]) -> bool {
     if has_certain_area(corners) {
         return false;
@@ -129,26 +129,26 @@ pub(in crate::geom) fn is_degenerate(corners: &[DVec3; 3]) -> bool {
     [DVec3::X, DVec3::Y, DVec3::Z].into_iter().all(|axis| volume(axis, [v0, v1], [v0, v2]).is_eq())
 }
 
-/// Whether double precision can tell that the corners do not lie on a line.
+/// Returns whether double precision proves that the corners do not lie on a line.
 fn has_certain_area(&[v0, v1, v2]: &[DVec3; 3]) -> bool {
     let (e1, e2) = (v1 - v0, v2 - v0);
     is_certain(e1.x * e2.y, e1.y * e2.x) || is_certain(e1.y * e2.z, e1.z * e2.y) || is_certain(e1.z * e2.x, e1.x * e2.z)
 }
 
-/// Whether the sign of a - b is certain, a component of a cross product of two differences: each product has three
-/// roundings, their difference one. What underflows is next to nothing beside the bound, and what overflows leaves
-/// infinities, of which none is greater.
+/// Returns whether the sign of a - b is certain, a component of a cross product of two differences: each product has
+/// three roundings, their difference one. Underflow is negligible against the bound, and overflow leaves infinities, of
+/// which none is greater.
 fn is_certain(a: f64, b: f64) -> bool {
     let least = const { power_of_two(-900) };
     let size = a.abs() + b.abs();
     size > least && (a - b).abs() > 4.0 * f64::EPSILON * size
 }
 
-/// A total order of the lines from a point through two others, equal only if they are one line: by the slopes in y and
-/// z over x; then, of those without an x, by the slope in z over y. Exact, for numbers of any size.
+/// A total order of the lines from a point through two other points, equal only if they are one line: by the slopes in
+/// y and z over x; then, for those without an x, by the slope in z over y. Exact, for numbers of any size.
 pub(crate) fn order_of_lines(from: DVec3, to: [DVec3; 2]) -> Ordering {
     let [a, b] = to;
-    // The steeper of two lines in a plane, whose first coordinates change by a[i] and b[i].
+    // Compares the slopes of two lines in a plane, whose first coordinates change by a[i] and b[i].
     let slope = |i: usize, j: usize, axis: DVec3| {
         let ([ai, aj], [bi, bj]) = ([a[i] - from[i], a[j] - from[j]], [b[i] - from[i], b[j] - from[j]]);
         let (left, right) = (aj * bi, bj * ai);

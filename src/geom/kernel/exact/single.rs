@@ -8,25 +8,25 @@ use super::super::EDGE;
 use super::{Exact, Kernel, greatest};
 use crate::geom::{Ray, Region, Triangle};
 
-/// [`Exact`], asking single precision first. The same answers; the stage for hardware where double precision is slow.
+/// [`Exact`] with a first stage in single precision. The answers are the same; the stage is for hardware with slow
+/// double precision.
 ///
-/// On a processor whose scalar units are as fast in double precision, it costs a second evaluation for each candidate:
-/// benches/README.md has the figures.
+/// On a processor whose scalar units are equally fast in double precision, it costs a second evaluation for each
+/// candidate: benches/README.md has the figures.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactFromSingle {
     exact: Exact,
     origin: Vec3,
     /// The direction, scaled by a power of two to a greatest component of 1 to 2.
     direction: Vec3,
-    /// Error bound of an edge function over E (2 C + E). Infinite where single precision might overflow.
+    /// Error bound of an edge function over E (2 C + E). Infinite if single precision might overflow.
     bound: f32,
 }
 
 /// Greatest coordinate for which nothing overflows in single precision. `[EXACT-5]`
 pub const MAX_COORDINATE: f32 = f32::from_bits((127 + 40) << 23);
 
-/// Edges count at least this much in the error bound of single precision, so that it covers all errors of underflow
-/// too. `[EXACT-5]`
+/// Minimum edge length in the error bound of single precision; it covers all errors of underflow too. `[EXACT-5]`
 pub const MIN_EDGE: f32 = f32::from_bits((127 - 60) << 23);
 
 /// Half of the distance from 1 to the next float.
@@ -41,7 +41,7 @@ impl Kernel for ExactFromSingle {
     fn new(ray: &Ray, region: &Region) -> Self {
         let greatest = ray.direction().abs().max_element();
         let power = f32::from_bits(greatest.to_bits() & 0x7f80_0000);
-        // A subnormal direction has a power of 0 here; the reciprocal of others below 2^126 is not subnormal.
+        // A subnormal direction has a power of 0 here; the reciprocal of other directions below 2^126 is not subnormal.
         let usual = power > 0.0
             && power < f32::from_bits(253 << 23)
             && ray.origin().abs().max_element() <= MAX_COORDINATE
@@ -79,7 +79,8 @@ impl Kernel for ExactFromSingle {
 }
 
 impl ExactFromSingle {
-    /// Whether single precision can tell that the triangle is missed: two edge functions certainly have opposite signs.
+    /// Returns whether single precision proves that the triangle is missed: two edge functions certainly have opposite
+    /// signs.
     #[inline(always)]
     fn misses(&self, shape: &Triangle) -> bool {
         let [v0, v1, v2] = shape.0;
@@ -89,7 +90,7 @@ impl ExactFromSingle {
         let w = (e1.dot(p) - u) - v;
         let edge = greatest(e1.abs().max(e2.abs())).max(MIN_EDGE);
         let bound = self.bound * edge * (2.0 * greatest(s.abs()) + edge);
-        // False where the bound is infinite or a NaN.
+        // False if the bound is infinite or a NaN.
         u.min(v).min(w) < -bound && u.max(v).max(w) > bound
     }
 }

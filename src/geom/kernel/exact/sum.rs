@@ -1,6 +1,6 @@
 //! Sums and differences of two floats, and products, as two floats without rounding.
 
-/// The rounded sum, and what rounding left out (Knuth).
+/// Returns the rounded sum, and its rounding error (Knuth).
 #[inline]
 pub(in crate::geom) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -8,14 +8,14 @@ pub(in crate::geom) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - b_of_sum)) + (b - b_of_sum))
 }
 
-/// The exact difference as two numbers, the greater first.
+/// Returns the exact difference as two numbers, the greater first.
 #[inline]
 pub(super) fn difference(a: f64, b: f64) -> [f64; 2] {
     let (sum, rest) = two_sum(a, -b);
     [sum, rest]
 }
 
-/// The rounded product, and what rounding left out (Dekker, Veltkamp). For magnitudes below 2^995.
+/// Returns the rounded product, and its rounding error (Dekker, Veltkamp). For magnitudes below 2^995.
 #[inline]
 pub(in crate::geom) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -23,7 +23,7 @@ pub(in crate::geom) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, a0 * b0 - (((product - a1 * b1) - a0 * b1) - a1 * b0))
 }
 
-/// The upper 26 bits, and the rest.
+/// Returns the upper 26 bits, and the rest.
 #[inline]
 fn split(a: f64) -> [f64; 2] {
     let scaled = 134_217_729.0 * a;
