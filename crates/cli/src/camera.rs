@@ -150,6 +150,13 @@ impl Options {
 }
 
 impl Camera {
+    /// To the right, upwards and backwards, of length 1.
+    pub(crate) fn axes(&self) -> [Vec3; 3] {
+        let back = (self.view.eye - self.view.target).try_normalize().unwrap_or(Vec3::Z);
+        let right = self.view.up.cross(back).try_normalize().unwrap_or(back.any_orthonormal_vector());
+        [right, back.cross(right), back]
+    }
+
     /// The ray through a place in a pixel, whose upper left corner is 0, 0. Pixels are counted row by row.
     pub(crate) fn ray(&self, pixel: usize, [x, y]: [f64; 2]) -> Option<Ray> {
         let Size { width, height } = self.size;

@@ -43,7 +43,7 @@ pub(crate) struct Args {
     /// Which rays each pixel stands for.
     #[arg(long, value_enum, default_value_t)]
     kind: Rays,
-    /// Samples of each pixel; 1 if it is not given, or 16 for ao and diffuse.
+    /// Samples of each pixel. [default: 4, for ao and diffuse 16, for a heat map 1]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     spp: Option<u32>,
     /// Colours are what the rays of a pixel cost: the mean for one ray.
@@ -61,6 +61,9 @@ pub(crate) struct Args {
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
+
+/// Samples of a pixel that smooth edges.
+const FEW: u32 = 4;
 
 /// The share of the pixels that the scale covers: a few rays cost many times what all others do.
 const SCALE: f64 = 0.99;
@@ -91,7 +94,8 @@ struct Drawn {
 impl Job {
     fn of(args: &Args, scene: &Scene) -> Self {
         let job = Self::plain(args.kind, args.camera.of(scene), args.seed);
-        Self { heat: args.heatmap, methods: args.method.clone(), spp: args.spp.unwrap_or(job.spp), ..job }
+        let spp = if args.heatmap.is_some() && job.spp == FEW { 1 } else { job.spp };
+        Self { heat: args.heatmap, methods: args.method.clone(), spp: args.spp.unwrap_or(spp), ..job }
     }
 
     /// Draws it into a file, over a tree that suits the traversals if none is named.
@@ -107,7 +111,7 @@ impl Job {
 
     /// A picture without a heat map.
     pub(crate) fn plain(rays: Rays, camera: Camera, seed: u64) -> Self {
-        let spp = if matches!(rays, Rays::Ao | Rays::Diffuse) { 16 } else { 1 };
+        let spp = if matches!(rays, Rays::Ao | Rays::Diffuse) { 16 } else { FEW };
         Self { camera, rays, spp, heat: None, methods: Vec::new(), continues: false, seed }
     }
 

@@ -54,7 +54,22 @@ impl View {
         if !(back.is_finite() && back > 0.0) {
             return view;
         }
-        let aside = right * ((right_edge - left) / 2.0) + up * ((upper - lower) / 2.0);
+        let mut aside = right * ((right_edge - left) / 2.0) + up * ((upper - lower) / 2.0);
+        // Along the other edge there is room. The middle of its bounds is not the middle of the image, which depends on the
+        // depths of both ends.
+        for axis in [right, up].repeat(4) {
+            let mut ends = [[f64::INFINITY, 1.0], [f64::NEG_INFINITY, 1.0]];
+            for v in corners().map(|v| v.as_dvec3() - target.as_dvec3() - aside) {
+                let depth = forward.dot(v) + back;
+                let x = axis.dot(v) / depth;
+                ends = [
+                    if x < ends[0][0] { [x, depth] } else { ends[0] },
+                    if x > ends[1][0] { [x, depth] } else { ends[1] },
+                ];
+            }
+            let [[least, of_least], [most, of_most]] = ends;
+            aside += axis * ((least + most) / (1.0 / of_least + 1.0 / of_most));
+        }
         let middle = target.as_dvec3() + aside;
         view.eye = (middle - forward * back).as_vec3();
         view.target = middle.as_vec3();
@@ -108,7 +123,7 @@ mod tests {
         (depth > 0.0).then(|| [right.dot(v) / depth, up.dot(v) / depth])
     }
 
-    /// All of a scene is in the image, and at two opposite edges there is no room left.
+    /// All of a scene is in the image, centred, and at two opposite edges there is no room left.
     #[test]
     fn all_of_a_scene_fills_the_image() {
         let spheres = [(1.0, 0.0), (100.0, 1e3), (1e-3, 0.0), (1e10, 0.0)];
@@ -126,6 +141,7 @@ mod tests {
             let is_within = |[least, most]: [f64; 2]| least > -FILLED - 0.001 && most < FILLED + 0.001;
             let is_full = |[least, most]: [f64; 2]| least < 0.001 - FILLED && most > FILLED - 0.001;
             assert!(ends.into_iter().all(is_within) && ends.into_iter().any(is_full), "{view:?}: {ends:?}");
+            assert!(ends.into_iter().all(|[least, most]| (least + most).abs() < 0.01), "{view:?}: {ends:?}");
         }
     }
 

@@ -12,7 +12,7 @@ use crate::input::Scene;
 /// Which rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Rays {
-    /// The camera's: brightness is the cosine between ray and normal.
+    /// The camera's: a matt surface, lit from the upper left of the camera and by the sky.
     #[default]
     Primary,
     /// The camera's: colours are the normals.
@@ -55,6 +55,12 @@ pub(super) struct Sample {
 
 /// How far an occlusion ray reaches, in diagonals of the scene.
 const REACH: f32 = 0.1;
+
+/// Light and colours, linear, of a plain picture.
+const BACKGROUND: Vec3 = Vec3::new(0.92, 0.94, 0.97);
+const MATT: Vec3 = Vec3::new(0.72, 0.76, 0.82);
+const WARM: Vec3 = Vec3::new(0.95, 0.88, 0.76);
+const COOL: Vec3 = Vec3::new(0.16, 0.20, 0.28);
 
 /// Brightness of what lies outside the scene.
 const SKY: f32 = 0.8;
@@ -104,7 +110,7 @@ impl Samples<'_> {
         let primary = &sample.primary;
         let sky = Vec3::splat(SKY);
         match self.rays {
-            Rays::Primary => Vec3::splat(self.lit(primary)),
+            Rays::Primary => self.matt(primary),
             Rays::Normals => {
                 let normal = self.tracer.closest(primary).and_then(|hit| self.normal(primary, &hit));
                 normal.map_or(Vec3::ZERO, |normal| normal * 0.5 + 0.5)
@@ -113,6 +119,16 @@ impl Samples<'_> {
             Rays::Ao => Vec3::splat(sample.traced.map_or(1.0, |ray| f32::from(!self.tracer.any(&ray)))),
             Rays::Diffuse => sample.traced.map_or(sky, |ray| Vec3::splat(self.lit(&ray))),
         }
+    }
+
+    /// A matt surface in light from the upper left of the camera, warm, and from above and below, cool.
+    fn matt(&self, ray: &Ray) -> Vec3 {
+        let Some(hit) = self.tracer.closest(ray) else { return BACKGROUND };
+        let Some(normal) = self.normal(ray, &hit) else { return Vec3::ZERO };
+        let [right, up, back] = self.camera.axes();
+        let lamp = normal.dot((back * 1.2 + up * 1.4 - right * 0.8).normalize()).max(0.0);
+        let sky = 0.5 + 0.5 * normal.dot(up);
+        MATT * (WARM * lamp + COOL * sky).min(Vec3::ONE)
     }
 
     /// The cosine between a ray and the normal of what it hits.
