@@ -50,8 +50,7 @@ pub struct Winding<'t, T, V: Vector> {
 /// Greatest error of an edge of the border that is not computed again with more digits.
 const CLOSE: f64 = 1e-12;
 
-/// Its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or closer to
-/// it than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
+/// Greatest rounding error of a number, if one of the directions allows it. `[WINDING-2]`
 const TOLERANCE: f64 = 1e-9;
 
 /// Directions of rays, tried after the one that leaves the mesh soonest. The first are fast, but often meet edges of
@@ -85,8 +84,8 @@ impl<'t, T: MeshQueries<V>, V: Vector> Winding<'t, T, V> {
 
     /// Returns the winding number of a point: without an error for a mesh without a border.
     ///
-    /// Its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or closer to
-    /// it than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
+    /// Otherwise its error is below the [tolerance](Self::with_tolerance), unless the point is on an edge of the border, or
+    /// closer to it than about 1e-20 of its length. There the number itself jumps. `[WINDING-2]` `[WINDING-3]`
     ///
     /// # Errors
     /// [`RayError`] for a point that is not finite.
