@@ -58,10 +58,17 @@ fn colours_are_those_of_what_is_hit() {
         assert_eq!((pixels[3], pixels[4]), (missed, hit), "{rays}");
         assert_eq!((pixels[59], pixels[60]), (missed, hit), "{rays}");
     }
-    // Straight ahead the lamp at the camera is fully seen, and less at the side.
-    stackless(&format!("render --kind primary {view}"), &[&path, &half]).passes();
-    let (.., pixels) = read(&path);
-    assert!(pixels[28][0] > 250 && pixels[7][0] < pixels[28][0] && pixels[7][0] > 200, "{pixels:?}");
+    // A face has one brightness: more if it is turned upwards, to the lamp, and less if downwards.
+    let turned =
+        ["v -99 -9 9\nv 99 -9 9\nv 0 99 -99", "v -99 -9 0\nv 99 -9 0\nv 0 99 0", "v -99 9 9\nv 99 9 9\nv 0 -99 -99"];
+    let middles = turned.map(|corners| {
+        let mesh = folder.file("turned.obj", &format!("{corners}\nf 1 2 3\n"));
+        stackless(&format!("render {view}"), &[&path, &mesh]).passes();
+        let (.., pixels) = read(&path);
+        assert_eq!(pixels[27], pixels[28]);
+        pixels[28][0]
+    });
+    assert!(middles.is_sorted_by(|a, b| a > b) && middles[2] > 20, "{middles:?}");
 }
 
 #[test]
