@@ -1,9 +1,7 @@
 //! Where a harness takes its choices from.
 
-#[cfg(not(kani))]
 mod drawn;
 
-#[cfg(not(kani))]
 pub use drawn::{Cases, Drawn};
 
 /// A source of choices, and what a harness tells it.

@@ -1,6 +1,5 @@
 //! A harness with its twin, declared once for all ways to run it.
 
-#[cfg(not(kani))]
 use crate::Drawn;
 
 /// A harness, as tests and scripts see it.
@@ -21,10 +20,8 @@ pub struct Harness {
     /// What it claims, with the clauses.
     pub claim: &'static str,
     /// The body, on drawn choices; `None` where they are not as assumed.
-    #[cfg(not(kani))]
     pub body: fn(&mut Drawn<false>) -> Option<()>,
     /// The twin's.
-    #[cfg(not(kani))]
     pub planted: fn(&mut Drawn<true>) -> Option<()>,
 }
 
@@ -50,7 +47,6 @@ macro_rules! harnesses {
         )*
 
         /// The harnesses of this topic.
-        #[cfg(not(kani))]
         pub const HARNESSES: &[$crate::Harness] = &[$($crate::Harness {
             name: stringify!($name),
             twin: stringify!($twin),
@@ -70,7 +66,6 @@ macro_rules! harnesses {
 pub(crate) use harnesses;
 
 /// The message of a `claim!` that does not hold.
-#[cfg(not(kani))]
 pub const CLAIM: &str = "the claim of the harness";
 
 /// What a harness claims, and its twin breaks. A twin that dies of anything else is not refuted: it may never have come
@@ -95,7 +90,6 @@ macro_rules! claim {
 pub(crate) use claim;
 
 /// What is said, or nothing.
-#[cfg(not(kani))]
 pub(crate) const fn first<T: Copy>(said: &[T]) -> Option<T> {
     match said {
         [said, ..] => Some(*said),

@@ -28,14 +28,9 @@ pub mod traversals;
 pub mod wide;
 pub mod words;
 
-pub use choose::{Any, Choose, id};
-#[cfg(not(kani))]
-pub use choose::{Cases, Drawn};
-#[cfg(not(kani))]
-pub use harness::CLAIM;
-pub use harness::Harness;
+pub use choose::{Any, Cases, Choose, Drawn, id};
+pub use harness::{CLAIM, Harness};
 
 /// All harnesses, topic by topic.
-#[cfg(not(kani))]
 pub const ALL: [&[Harness]; 6] =
     [bits::HARNESSES, wide::HARNESSES, words::HARNESSES, hash::HARNESSES, traversals::HARNESSES, steps::HARNESSES];

@@ -22,20 +22,20 @@ pub use machine::{Machine, Wanted};
 
 harnesses! {
     /// One step of key and trail with a table of all keys is the machine's. `[TRAIL-7]` `[HASHONLY-1]`
-    step_hash_only_u64, step_hash_only_u64_twin, 2 => hash_only::<u64>;
+    step_hash_only_u64, step_hash_only_u64_twin, 5 => hash_only::<u64>;
     /// The same. `[TRAIL-7]` `[HASHONLY-1]`
-    step_hash_only_u128, step_hash_only_u128_twin, 2 long => hash_only::<u128>;
+    step_hash_only_u128, step_hash_only_u128_twin, 5 long => hash_only::<u128>;
     /// One step of Algorithm 1 is the machine's, and the table is asked only where no record has named the node.
     /// `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
-    step_hashed_u64, step_hashed_u64_twin, 2 => hashed::<u64, 2, 2>;
+    step_hashed_u64, step_hashed_u64_twin, 5 => hashed::<u64, 2, 2>;
     /// The same. `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
-    step_hashed_u128, step_hashed_u128_twin, 2 => hashed::<u128, 2, 2>;
+    step_hashed_u128, step_hashed_u128_twin, 5 => hashed::<u128, 2, 2>;
     /// The same, where the records of leaves name three uncles. `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-3]`
-    step_hashed_3_u64, step_hashed_3_u64_twin, 2 => hashed::<u64, 2, 3>;
+    step_hashed_3_u64, step_hashed_3_u64_twin, 5 => hashed::<u64, 2, 3>;
     /// One step of Algorithm 1 with a second trail. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[HASHED-1]`
-    step_hashed_disjoint_u64, step_hashed_disjoint_u64_twin, 2 => hashed_disjoint::<u64, 2, 2>;
+    step_hashed_disjoint_u64, step_hashed_disjoint_u64_twin, 5 => hashed_disjoint::<u64, 2, 2>;
     /// The same. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[HASHED-1]`
-    step_hashed_disjoint_u128, step_hashed_disjoint_u128_twin, 2 => hashed_disjoint::<u128, 2, 2>;
+    step_hashed_disjoint_u128, step_hashed_disjoint_u128_twin, 5 => hashed_disjoint::<u128, 2, 2>;
     /// One step of the climb by grand uncles, as far up as words carry, is the machine's. `[UNCLE-2]` `[REGISTER-1]`
     /// `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_uncle_u64, step_uncle_u64_twin, 34 => uncle::<u64, 2, 2>;

@@ -177,16 +177,16 @@ Proof. unfold counter. rewrite ones_succ. destruct t as [|p], (N.ones (N.of_nat 
 Lemma counter_succ_double d t : counter (S d) (N.succ_double t) = N.double (counter d t).
 Proof. unfold counter. rewrite ones_succ. destruct t as [|p], (N.ones (N.of_nat d)) as [|q]; reflexivity. Qed.
 
-(** [TRAIL-6] The counter is the trail's complement, bit by bit, below the depth. *)
+(** [TRAIL-6](1) The counter is the trail's complement, bit by bit, below the depth. *)
 Theorem counter_bits d t i : (N.of_nat i < N.of_nat d)%N ->
   N.testbit (counter d t) (N.of_nat i) = negb (N.testbit t (N.of_nat i)).
 Proof. intros Hi. unfold counter. rewrite N.lxor_spec, N.ones_spec_low by exact Hi. apply xorb_true_r. Qed.
 
-(** [TRAIL-6] The complement of the counter is the trail. *)
+(** [TRAIL-6](1) The complement of the counter is the trail. *)
 Theorem counter_involutive d t : counter d (counter d t) = t.
 Proof. unfold counter. rewrite N.lxor_assoc, N.lxor_nilpotent. apply N.lxor_0_r. Qed.
 
-(** [TRAIL-6] Nothing is left if and only if the counter is all ones. *)
+(** [TRAIL-6](2) Nothing is left if and only if the counter is all ones. *)
 Theorem counter_end d t : t = 0%N <-> counter d t = N.ones (N.of_nat d).
 Proof.
   split; [intros ->; reflexivity|]. intros He. rewrite <- (counter_involutive d t), He. unfold counter. apply N.lxor_nilpotent.
@@ -196,7 +196,7 @@ Qed.
 Lemma below_double d t : (N.double t < 2 ^ N.of_nat (S d) -> t < 2 ^ N.of_nat d)%N.
 Proof. rewrite Nat2N.inj_succ, N.pow_succ_r', N.double_spec. lia. Qed.
 
-(** [TRAIL-6] As long as something is left, the carry of the increment runs as far as the trail has trailing zeros, and what
+(** [TRAIL-6](2) As long as something is left, the carry of the increment runs as far as the trail has trailing zeros, and what
     the counter is then differs in the lowest bit only. *)
 Theorem counter_carry d : forall t, t <> 0%N -> (t < 2 ^ N.of_nat d)%N ->
   ctz (counter d t + 1) = ctz t /\

@@ -270,7 +270,7 @@ Proof.
         -- now rewrite Hb2, Hb, (best_below_node sd), closer_assoc.
 Qed.
 
-(** [ORACLE-2, ORDER-2, ORDER-3] Pruning by marks loses no closest hit: the search that leaves nodes out, the one that
+(** [ORACLE-2](2) [ORDER-2, ORDER-3] Pruning by marks loses no closest hit: the search that leaves nodes out, the one that
     does not, and so the machine with the second trail, all end with the closest hit of the tree, even if the
     decisions of the two searches are different ones. *)
 Theorem pruning_loses_nothing :
@@ -330,7 +330,7 @@ Proof.
     now destruct (Disjoint.pvisit decide mark never found (subtree (other sd) l r) _ _) as [[s2 b2] h2'].
 Qed.
 
-(** [ORACLE-2] If decisions depend on the best that has been found and on nothing else of the past, the visits of the
+(** [ORACLE-2](3) If decisions depend on the best that has been found and on nothing else of the past, the visits of the
     search that prunes are a subsequence of those of the one that does not. *)
 Theorem pruned_visits :
   subsequence (snd (pruned_reference T decide mark never found)) (snd (reference decide never T)).

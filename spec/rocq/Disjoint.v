@@ -159,7 +159,7 @@ Proof.
               ** intros f. rewrite E. apply Hv3.
 Qed.
 
-(** [ORACLE-2] So the loop of any such traversal ends, with the visits and the answer of the reference that leaves nodes
+(** [ORACLE-2](1) So the loop of any such traversal ends, with the visits and the answer of the reference that leaves nodes
     out. *)
 Theorem prefines_reference fuel : size T <= fuel -> prun fuel (pstart P) [] = Some pruned_reference.
 Proof.
@@ -214,7 +214,7 @@ Proof. rewrite !N.div2_spec. apply N.shiftr_ldiff. Qed.
 Lemma odd_ldiff t s : N.odd (N.ldiff t s) = N.odd t && negb (N.odd s).
 Proof. rewrite <- !N.bit0_odd. apply N.ldiff_spec. Qed.
 
-(** [DISJOINT-2] The bits of T that T & ~S loses are those of the marked nodes, all of them, and no others. *)
+(** [DISJOINT-2](1, 3) The bits of T that T & ~S loses are those of the marked nodes, all of them, and no others. *)
 Theorem mask_is_unmarked k : forall t s, marked_pending k (N.ldiff t s) s = unmarked (marked_pending k t s).
 Proof.
   induction k as [k IH|k IH|]; intros t s; [| |reflexivity]; cbn [marked_pending];
@@ -247,7 +247,7 @@ Proof.
   subst. reflexivity.
 Qed.
 
-(** [DISJOINT-2] A traversal that counts, in complements below the depth d, takes c | S. *)
+(** [DISJOINT-2](2) A traversal that counts, in complements below the depth d, takes c | S. *)
 Theorem mask_of_counter c s d : (forall i, d <= i -> N.testbit s i = false)%N ->
   N.lxor (N.lor c s) (N.ones d) = N.ldiff (N.lxor c (N.ones d)) s.
 Proof.

@@ -93,7 +93,7 @@ Proof.
   - unfold reach in Hreach. rewrite Hu in *. now destruct u.
 Qed.
 
-(** [HASH-3] Sufficient: whatever is looked up, by whatever search and with whatever filling, is in the set. The node
+(** [HASH-3](1, 2, 4) Sufficient: whatever is looked up, by whatever search and with whatever filling, is in the set. The node
     from which the search turns back is itself out of reach: at level 0 the register would hold the sibling. *)
 Theorem hashed_keys_suffice decide stop x : looked_up T Ui Ul keep decide stop x -> hashed_key T Ui Ul x.
 Proof.
@@ -257,11 +257,11 @@ Qed.
 
 End Search.
 
-(** [HASH-3] Necessary: every key of the set is looked up by some search that does not even change its mind. *)
+(** [HASH-3](1, 2, 4) Necessary: every key of the set is looked up by some search that does not even change its mind. *)
 Theorem hashed_keys_are_needed x : hashed_key T Ui Ul x -> exists decide, looked_up T Ui Ul keep decide never x.
 Proof. intros (z & n & Hz). exists (by_key (decisions x z n)). now apply search_looks_up. Qed.
 
-(** [HASH-3] The set is what searches look up, exactly. *)
+(** [HASH-3](1, 2, 4) The set is what searches look up, exactly. *)
 Theorem hashed_keys_are_exact x :
   hashed_key T Ui Ul x <-> exists decide stop, looked_up T Ui Ul keep decide stop x.
 Proof.
@@ -321,7 +321,7 @@ Proof.
     [apply (below_child L)|apply (below_child R)]; exact H.
 Qed.
 
-(** [HASH-3] A key is hashed iff its sibling's subtree is at least min(Ui + 2, Ul + 1) levels high, where a leaf is 0
+(** [HASH-3](3, 4) A key is hashed iff its sibling's subtree is at least min(Ui + 2, Ul + 1) levels high, where a leaf is 0
     levels high. *)
 Theorem hashed_iff_high T Ui Ul x t : x <> xH -> at_key T (sibling x) = Some t ->
   (hashed_key T Ui Ul x <-> Nat.min (Ui + 2) (Ul + 1) <= height t).

@@ -370,7 +370,7 @@ Proof.
     intros (t' & Hb & Hf' & Hp'). exists (q, t'). auto.
 Qed.
 
-(** [TRAIL-7] The machine of key and trail ends within as many visits as the tree has nodes, and its visits and its
+(** [TRAIL-7](1, 2) The machine of key and trail ends within as many visits as the tree has nodes, and its visits and its
     answer are those of the reference: for every tree, every search, also one whose decisions change with time. *)
 Theorem trail_machine_reference T decide stop fuel : size T <= fuel ->
   run trail_machine T decide stop fuel (start trail_machine) [] = Some (reference decide stop T).

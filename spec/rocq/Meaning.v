@@ -168,7 +168,7 @@ Qed.
 
 End Meaning.
 
-(** [TRAIL-1] At every visit of the machine, bit [i] of the trail is set if and only if the sibling of the ancestor [i] levels
+(** [TRAIL-1](1, 2) At every visit of the machine, bit [i] of the trail is set if and only if the sibling of the ancestor [i] levels
     up is postponed and not yet visited; and no other node is. *)
 Theorem trail_meaning T decide stop k t h : reached trail_machine T decide stop (k, t) h ->
   (forall i, N.testbit t (N.of_nat i) = true <-> i < depth k /\ waiting T decide h k (sibling (up i k))) /\

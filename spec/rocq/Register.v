@@ -218,7 +218,7 @@ Proof.
   eauto.
 Qed.
 
-(** [REGISTER-1] Whenever the register is set, before a visit or after the record is loaded, it holds the node with
+(** [REGISTER-1](1) Whenever the register is set, before a visit or after the record is loaded, it holds the node with
     the key (k >> n) ^ 1: the next one. Address and key agree at every step. *)
 Theorem register_is_next s h : reached (C ideal) T decide stop s h ->
   node s = key s /\
@@ -230,7 +230,7 @@ Proof.
   split; intros x Hx; [rewrite Hx in Hr; exact Hr|rewrite Hx in H0; exact H0].
 Qed.
 
-(** [REGISTER-1] A postponed sibling is always in the register. *)
+(** [REGISTER-1](2) A postponed sibling is always in the register. *)
 Theorem register_has_sibling s h : reached (C ideal) T decide stop s h -> N.odd (trail s) = true ->
   register s = Some (sibling (key s)).
 Proof.

@@ -96,7 +96,7 @@ Fixpoint binary_trail (ls : list N) : N :=
 Lemma two_slots s : s < A 1 -> s = 0 \/ s = 1.
 Proof. change (A 1) with 2. lia. Qed.
 
-(** [WIDE-12] Keys are those of binary trees. *)
+(** [WIDE-12](1) Keys are those of binary trees. *)
 Theorem binary_keys k : slots_below 1 k -> key 1 k = Npos (binary_key k).
 Proof.
   induction 1 as [|s k Hs _ IH]; [reflexivity|]. simpl key. simpl binary_key. rewrite IH. change (A 1) with 2.
@@ -106,7 +106,7 @@ Qed.
 (** Each group is empty, or the sibling's slot alone. *)
 Definition alone (k : path) (ls : list N) : Prop := Forall2 (fun s g => s < 2 /\ (g = 0 \/ g = 2 ^ (1 - s))) k ls.
 
-(** [WIDE-12] At each visit a group is 0 or the sibling's slot alone. *)
+(** [WIDE-12](2) At each visit a group is 0 or the sibling's slot alone. *)
 Theorem binary_groups T S k ls h : fair 1 T S -> reached 1 (trail_machine 1) T S (k, ls) h -> alone k ls.
 Proof.
   intros F H. apply (pending_meaning 1 T S F) in H. revert ls H. induction k as [|s a IH]; intros [|g ls]; simpl; try contradiction.
@@ -129,7 +129,7 @@ Proof.
   assert (E : s = 0 \/ s = 1) by lia. destruct Hg as [->| ->]; [lia|]. destruct E as [->| ->]; reflexivity.
 Qed.
 
-(** [WIDE-12] A bit of the binary trail is set iff the group is not 0. *)
+(** [WIDE-12](3) A bit of the binary trail is set iff the group is not 0. *)
 Theorem binary_bits ls : forall i, (i < length ls)%nat ->
   N.testbit (binary_trail ls) (N.of_nat i) = negb (nth i ls 0 =? 0).
 Proof.
@@ -139,7 +139,7 @@ Proof.
     destruct (g =? 0); apply Machine.div2_double.
 Qed.
 
-(** [WIDE-12] [n] is that of TRAIL-3. *)
+(** [WIDE-12](4) [n] is that of TRAIL-3. *)
 Theorem binary_levels ls : groups_below 1 ls -> trail 1 ls <> 0 ->
   levels_up 1 (trail 1 ls) = N.of_nat (Machine.ctz (binary_trail ls)).
 Proof.
@@ -162,7 +162,7 @@ Fixpoint deepest (k : path) (ls : list N) : option (path * list N) :=
   | _, _ => None
   end.
 
-(** [WIDE-12] The next node is that of TRAIL-4, and so is the trail. *)
+(** [WIDE-12](4) The next node is that of TRAIL-4, and so is the trail. *)
 Theorem binary_next k ls : alone k ls ->
   Machine.trail_backtrack (binary_key k, binary_trail ls) =
   option_map (fun s => (binary_key (fst s), binary_trail (snd s))) (deepest k ls).

@@ -198,7 +198,7 @@ Proof.
   constructor; [lia|]. apply IH. nia.
 Qed.
 
-(** [WIDE-11] Of a trail that is not 0, the first [n] groups are empty, the next is not: it is the deepest pending set, [n + 1]
+(** [WIDE-11](1, 2) Of a trail that is not 0, the first [n] groups are empty, the next is not: it is the deepest pending set, [n + 1]
     levels up; and what is above it is the trail there. *)
 Theorem trail_back ls : groups_below ls -> trail ls <> 0 ->
   exists zs g rest, ls = zs ++ g :: rest /\ Forall (eq 0) zs /\ g <> 0 /\

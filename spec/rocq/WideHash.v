@@ -61,7 +61,7 @@ Proof.
   - destruct Hm as [_ Hm]. destruct (IH Hm) as (b & s' & g' & -> & H). exists (s :: b), s', g'. split; [reflexivity|exact H].
 Qed.
 
-(** [WIDE-16] A node that is gone back to has an inner child and another child beside it. *)
+(** [WIDE-16](1) A node that is gone back to has an inner child and another child beside it. *)
 Theorem gone_back_only a : goes_back T S a -> keyed T a.
 Proof.
   intros (k & ls & h & Hr & Ht & Hl & Hleaf). pose proof (pending_meaning B T S F _ _ _ Hr) as Hm.
@@ -234,7 +234,7 @@ Qed.
 
 End Visitor.
 
-(** [WIDE-16] A node is gone back to by some search if and only if it has an inner child and another child beside it. *)
+(** [WIDE-16](1, 2) A node is gone back to by some search if and only if it has an inner child and another child beside it. *)
 Theorem gone_back_iff T a : (exists S, fair B T S /\ goes_back T S a) <-> keyed T a.
 Proof.
   split.

@@ -138,7 +138,7 @@ Proof.
     unfold now in *. unfold pending_set. cbn [fst]. now rewrite (take_same _ _ _ _ _ _ Hh), Ht.
 Qed.
 
-(** [WHASHED-1, WIDE-16] Whatever the machine asks the table for is in the set. *)
+(** [WHASHED-1] [WIDE-16](3) Whatever the machine asks the table for is in the set. *)
 Theorem hashed_keys_suffice a : key_goes_back T S a -> keyed B T a.
 Proof.
   intros (k & ls & h & Hr & Ht & Hl & Hleaf). destruct (reached_right _ _ _ Hr) as (p & Hp).
@@ -148,7 +148,7 @@ Qed.
 
 End Same.
 
-(** [WHASHED-1, WIDE-16] A node is gone back to by this machine, in some search, if and only if its key is in the set. *)
+(** [WHASHED-1] [WIDE-16](3) A node is gone back to by this machine, in some search, if and only if its key is in the set. *)
 Theorem hashed_keys_exact T a : (exists S, fair B T S /\ key_goes_back T S a) <-> keyed B T a.
 Proof.
   split; [intros (S & F & H); exact (hashed_keys_suffice T S F a H)|].

@@ -160,7 +160,7 @@ Proof.
       apply N.eqb_eq in E. exists x. split; [now right|exact E].
 Qed.
 
-(** [WIDE-10, WIDE-11] At each visit, at each level: the pending set holds the slots of the wanted children that come after the
+(** [WIDE-10] [WIDE-11](3) At each visit, at each level: the pending set holds the slots of the wanted children that come after the
     one on the path, all but some that are beyond, and no others; these are not visited; those before are visited or beyond.
     So each wanted child is pending once, from the visit of its first sibling until its own visit, or until it is skipped. *)
 Theorem pending_meaning k ls h : reached B trail_machine T S (k, ls) h -> means h k ls.

@@ -44,7 +44,7 @@ fn twenty_thousand_random_cases() {
     }
 }
 
-/// [DEPTH-2] [CONF-3]
+/// [DEPTH-1] [DEPTH-2] [CONF-3]
 #[test]
 fn words_end_at_their_depths_and_no_sooner() {
     let plan = everything(0);

@@ -3,6 +3,8 @@
 //!
 //! `cargo test --test project coverage` writes to `target/tmp/coverage.txt` what covers each.
 
+mod tests;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs;
@@ -16,7 +18,10 @@ use stackless_suite::author;
 enum Kind {
     Definition,
     Rule,
+    /// By machine, each sentence of it.
     Theorem,
+    /// By machine, but for what the clause says is by hand or tested.
+    TheoremInPart,
     Argument,
 }
 
@@ -32,15 +37,28 @@ enum Cover {
     Suite,
 }
 
+impl Cover {
+    fn is_proof(self) -> bool {
+        matches!(self, Self::Rocq | Self::Smt | Self::Harness)
+    }
+}
+
 impl Kind {
-    const ALL: [Self; 4] = [Self::Definition, Self::Rule, Self::Theorem, Self::Argument];
+    const ALL: [(Self, &'static str); 5] = [
+        (Self::Definition, "Definition"),
+        (Self::Rule, "Rule"),
+        (Self::Theorem, "Theorem"),
+        (Self::TheoremInPart, "Theorem in part"),
+        (Self::Argument, "Argument"),
+    ];
 
     fn is_covered(self, covers: &BTreeSet<Cover>) -> bool {
         let has = |cover| covers.contains(&cover);
         match self {
             Self::Definition => has(Cover::Source),
             Self::Rule => has(Cover::Source) && (has(Cover::Test) || has(Cover::Harness)),
-            Self::Theorem => has(Cover::Rocq) || has(Cover::Smt) || has(Cover::Harness),
+            Self::Theorem => covers.iter().any(|cover| cover.is_proof()),
+            Self::TheoremInPart => Self::Theorem.is_covered(covers) && has(Cover::Test),
             Self::Argument => has(Cover::Test),
         }
     }
@@ -51,29 +69,59 @@ struct Clause {
     id: String,
     kind: Option<Kind>,
     title: String,
+    /// Sentences of its first paragraph, but for those in parentheses: what it states. Reasons stand below.
+    sentences: usize,
+    /// What it says of a part that no machine has proved.
+    by_hand: bool,
 }
 
 /// A clause that something cites, and the name of that thing.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Citation {
     id: String,
+    /// The sentences of the clause that a lemma states, counted from 1: `[KEY-7](1, 2)`.
+    sentences: Vec<usize>,
     cover: Cover,
     by: String,
 }
 
-/// The clauses of a text: paragraphs that begin with `**[ID] Title.** *Kind.*`.
+/// The clauses of a text: they begin with `**[ID] Title.** *Kind.*`, and end at the next one.
 fn clauses(text: &str) -> Vec<Clause> {
-    let heads = text.lines().filter_map(|line| line.strip_prefix("**[")?.split_once("] "));
+    let text = format!("\n{text}");
+    let heads = text.split("\n**[").skip(1).filter_map(|clause| clause.split_once("] "));
     let clause = |(id, rest): (&str, &str)| {
         let (title, rest) = rest.split_once(".**").unwrap_or((rest, ""));
-        let kind = Kind::ALL.into_iter().find(|kind| rest.starts_with(&format!(" *{kind:?}.*")));
-        Clause { id: id.to_owned(), kind, title: title.to_owned() }
+        let found = Kind::ALL.iter().find_map(|(kind, name)| Some((*kind, rest.strip_prefix(&format!(" *{name}.*"))?)));
+        let statement = found.and_then(|(_, text)| text.split("\n\n").next()).unwrap_or_default();
+        let words: Vec<_> = rest.split_whitespace().collect();
+        Clause {
+            id: id.to_owned(),
+            kind: found.map(|(kind, _)| kind),
+            title: title.to_owned(),
+            sentences: sentences(statement),
+            by_hand: ["*By hand:*", "*Tested:*"].iter().any(|mark| words.join(" ").contains(mark)),
+        }
     };
     heads.map(clause).collect()
 }
 
-/// Ids in brackets, one or a list of them: capitals, a hyphen, a number.
-fn ids(line: &str) -> impl Iterator<Item = &str> {
+/// How many sentences a text has. What is in parentheses does not count.
+fn sentences(text: &str) -> usize {
+    let mut depth = 0_u32;
+    let outside: String = text
+        .chars()
+        .filter(|&c| {
+            depth = depth.saturating_sub(u32::from(c == ')')) + u32::from(c == '(');
+            depth == 0 && c != ')'
+        })
+        .collect();
+    let words: Vec<_> = outside.split_whitespace().collect();
+    1 + words.windows(2).filter(|pair| pair[0].ends_with('.') && pair[1].starts_with(char::is_uppercase)).count()
+}
+
+/// Ids in brackets, one or a list of them: capitals, a hyphen, a number. Numbers of sentences may come behind, in
+/// parentheses.
+fn cited(line: &str) -> impl Iterator<Item = (&str, Vec<usize>)> {
     let is_id = |id: &str| {
         id.split_once('-').is_some_and(|(name, number)| {
             !name.is_empty()
@@ -82,8 +130,12 @@ fn ids(line: &str) -> impl Iterator<Item = &str> {
                 && number.bytes().all(|byte| byte.is_ascii_digit())
         })
     };
-    let inside = line.split('[').skip(1).filter_map(|rest| rest.split_once(']')).map(|(inside, _)| inside);
-    inside.filter(move |list| list.split(", ").all(is_id)).flat_map(|list| list.split(", "))
+    let inside = line.split('[').skip(1).filter_map(|rest| rest.split_once(']'));
+    inside.filter(move |(list, _)| list.split(", ").all(is_id)).flat_map(|(list, behind)| {
+        let numbers = behind.strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or("", |(numbers, _)| numbers);
+        let sentences: Vec<_> = numbers.split(", ").filter_map(|number| number.parse().ok()).collect();
+        list.split(", ").map(move |id| (id, sentences.clone()))
+    })
 }
 
 /// The citations of a file. Those of tests and proofs go by the item that they belong to, or by the file if it is its
@@ -92,7 +144,7 @@ fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
     let lines: Vec<_> = text.lines().collect();
     let mut found = Vec::new();
     for (at, line) in lines.iter().enumerate() {
-        for id in ids(line) {
+        for (id, sentences) in cited(line) {
             let item = match cover {
                 Cover::Source => None,
                 _ if line.starts_with("//!") => None,
@@ -106,7 +158,7 @@ fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
                 Cover::Rocq | Cover::Test => lines[at..].iter().find_map(|line| name_of_item(line)),
             };
             let by = item.map_or_else(|| file.to_owned(), |item| format!("{file}: {item}"));
-            found.push(Citation { id: id.to_owned(), cover, by });
+            found.push(Citation { id: id.to_owned(), sentences, cover, by });
         }
     }
     found
@@ -135,7 +187,8 @@ fn quoted(line: &str) -> Option<&str> {
 fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
     let (mut wrong, mut text) = (Vec::new(), String::new());
     let mut known = BTreeSet::new();
-    for Clause { id, kind, title } in clauses {
+    for clause in clauses {
+        let Clause { id, kind, title, .. } = clause;
         if !known.insert(id.as_str()) {
             wrong.push(format!("{id} stands twice in the specification"));
         }
@@ -147,6 +200,7 @@ fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
                 wrong.push(format!("{id}, of kind {kind:?}, is covered by {covers:?} alone"));
             }
             Some(kind) => {
+                wrong.extend(overclaims(clause, *kind, &mine));
                 writeln!(text, "{id} {title} ({kind:?})").unwrap();
                 for Citation { cover, by, .. } in mine {
                     writeln!(text, "    {:7} {by}", format!("{cover:?}").to_lowercase()).unwrap();
@@ -160,6 +214,32 @@ fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
         }
     }
     (wrong, text)
+}
+
+/// What a clause says of itself that its lemmas do not.
+fn overclaims(clause: &Clause, kind: Kind, mine: &BTreeSet<&Citation>) -> Vec<String> {
+    let Clause { id, sentences, by_hand, .. } = clause;
+    let lemmas: Vec<_> = mine.iter().filter(|citation| citation.cover.is_proof()).collect();
+    let states = |number| lemmas.iter().any(|lemma| lemma.sentences.contains(&number));
+    let mut wrong = Vec::new();
+    match kind {
+        Kind::Theorem if *by_hand => wrong.push(format!("{id} is a theorem, and has a part by hand")),
+        // A clause of one sentence is what its lemmas state.
+        Kind::Theorem if *sentences > 1 => {
+            let missing = (1..=*sentences).filter(|&number| !states(number));
+            wrong.extend(missing.map(|number| format!("{id} is a theorem, and no lemma states its sentence {number}")));
+        }
+        Kind::TheoremInPart if !by_hand => {
+            wrong.push(format!("{id} is a theorem in part, and says of no part that it is by hand"));
+        }
+        Kind::Argument if !lemmas.is_empty() => {
+            wrong.push(format!("{id} is an argument, and {} states a part", lemmas[0].by));
+        }
+        _ => {}
+    }
+    let beyond = lemmas.iter().filter(|lemma| lemma.sentences.iter().any(|number| !(1..=*sentences).contains(number)));
+    wrong.extend(beyond.map(|lemma| format!("{} states a sentence that {id} does not have", lemma.by)));
+    wrong
 }
 
 fn all_clauses() -> Vec<Clause> {
@@ -182,7 +262,11 @@ fn all_citations() -> Vec<Citation> {
     let tests = files("crates", "rs")
         .into_iter()
         .filter(|file| file.components().nth(2) == Some(Component::Normal("tests".as_ref())));
-    for file in files("tests", "rs").into_iter().chain(tests).filter(|file| !file.ends_with("coverage.rs")) {
+    for file in files("tests", "rs")
+        .into_iter()
+        .chain(tests)
+        .filter(|file| !file.ends_with("coverage.rs") && !file.ends_with("coverage/tests.rs"))
+    {
         of(&file, &read(&file), Cover::Test);
     }
     for file in ["rs", "wgsl"].into_iter().flat_map(kernels) {
@@ -204,7 +288,12 @@ fn all_citations() -> Vec<Citation> {
             *cases.entry((id.clone(), profile.name())).or_default() += 1;
         }
     }
-    let cite = |((id, profile), count)| Citation { id, cover: Cover::Suite, by: format!("{profile}: {count} cases") };
+    let cite = |((id, profile), count)| Citation {
+        id,
+        sentences: Vec::new(),
+        cover: Cover::Suite,
+        by: format!("{profile}: {count} cases"),
+    };
     all.extend(cases.into_iter().map(cite));
     all
 }
@@ -253,6 +342,15 @@ fn every_clause_is_covered_as_its_kind_requires() {
     fs::write(Path::new(env!("CARGO_TARGET_TMPDIR")).join("coverage.txt"), text).unwrap();
 }
 
+#[test]
+fn the_table_of_theorems_has_them_all() {
+    let table = read(Path::new("proofs/README.md"));
+    let is_there = |clause: &Clause| table.contains(&format!("\n| {} | ", clause.id));
+    let theorems = all_clauses().into_iter().filter(|clause| clause.kind == Some(Kind::Theorem));
+    let missing: Vec<_> = theorems.filter(|clause| !is_there(clause)).map(|clause| clause.id).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
 /// No proof without a clause: what is proved for nothing is not in the specification, or is not said to be.
 #[test]
 fn every_proof_file_cites_a_clause() {
@@ -267,39 +365,4 @@ fn every_proof_file_cites_a_clause() {
         ["Cases.v", "Suite.v", "Vectors.v", "exact/Arithmetic.v", "exact/Operations.v", "extract/Extract.v"]
             .map(|file| Path::new("spec/rocq").join(file));
     assert_eq!(silent("spec/rocq", "v"), evaluated);
-}
-
-#[test]
-fn what_is_not_covered_is_seen() {
-    let text = "**[A-1] One.** *Definition.* x\n\n**[A-2] Two.** *Rule.*\n**[A-3] Three.** *Theorem.*\n**[A-4] Four.** *Argument.*\n";
-    let spec = clauses(text);
-    assert_eq!(spec.iter().map(|clause| clause.kind).collect::<Vec<_>>(), Kind::ALL.map(Some));
-    let cite = |file: &str, text: &str, cover| citations(file, text, cover);
-    let fine = [
-        cite("a.rs", "/// x `[A-1]` and [A-2]\nfn f() {}", Cover::Source),
-        cite("t.rs", "/// [A-2] [A-4]\n#[test]\nfn holds() {}", Cover::Test),
-        cite("b.v", "(** [A-3] *)\nTheorem three : True.", Cover::Rocq),
-    ]
-    .concat();
-    let (wrong, text) = judge(&spec, &fine);
-    assert_eq!(wrong, [""; 0]);
-    assert!(text.contains("A-3 Three (Theorem)\n    rocq    b.v: three\n"), "{text}");
-    assert!(text.contains("    source  a.rs\n    test    t.rs: holds\n"), "{text}");
-    for missing in 0..fine.len() {
-        let rest: Vec<_> = fine.iter().enumerate().filter(|&(i, _)| i != missing).map(|(_, x)| x.clone()).collect();
-        assert_eq!(judge(&spec, &rest).0.len(), 1, "{:?} is missed by nobody", fine[missing]);
-    }
-    let by = |text, cover| cite("p", text, cover).remove(0).by;
-    assert_eq!(by("    lemma::<N>(\n  \"one step\",\n  \"[A-3] [A-1]\",", Cover::Smt), "p: one step");
-    assert_eq!(by("lemma(\"step\", \"[A-3]\", step)", Cover::Smt), "p: step");
-    assert_eq!(
-        by("    /// Says `[A-3]`\n    /// more.\n    step_u32, step_u32_twin, 2 => step;", Cover::Harness),
-        "p: step_u32"
-    );
-    let stray = cite("a.rs", "[A-9]", Cover::Source);
-    assert_eq!(judge(&spec, &[fine.clone(), stray].concat()).0, ["a.rs cites A-9, which is not in the specification"]);
-    let tests_are_no_proof = cite("t.rs", "[A-3]", Cover::Test);
-    assert_eq!(judge(&spec, &[fine[..4].to_vec(), tests_are_no_proof].concat()).0.len(), 1);
-    assert_eq!(judge(&clauses("**[A-1] One.** *Definition.*\n**[A-1] One.** x"), &fine[..1]).0.len(), 2);
-    assert_eq!(ids("[KEY-1] [a-1] [A] [A-b] [x, B-2][T-22, U-3]").collect::<Vec<_>>(), ["KEY-1", "T-22", "U-3"]);
 }

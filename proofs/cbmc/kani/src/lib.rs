@@ -1,12 +1,13 @@
-//! As much of Kani's API as the harnesses use, over three imports that CBMC knows.
+//! As much of Kani's API as the harnesses use, over imports that CBMC knows. On other machines than WebAssembly it is
+//! there to be compiled against.
 #![no_std]
 
-use core::alloc::{GlobalAlloc, Layout};
-use core::cell::Cell;
+#[cfg(target_family = "wasm")]
+mod machine;
 
 pub use kani_macros::{proof, should_panic, unwind};
 
-#[link(wasm_import_module = "vf")]
+#[cfg_attr(target_family = "wasm", link(wasm_import_module = "vf"))]
 unsafe extern "C" {
     fn nondet_u64() -> u64;
     #[link_name = "assume"]
@@ -51,38 +52,4 @@ macro_rules! cover {
 
 pub fn cover_id(id: u32, condition: bool) {
     unsafe { cover_import(id, condition.into()) }
-}
-
-#[panic_handler]
-fn panic(_: &core::panic::PanicInfo) -> ! {
-    core::arch::wasm32::unreachable()
-}
-
-/// Memory that is never given back.
-struct Bump {
-    next: Cell<usize>,
-}
-
-const BYTES: usize = 1024;
-
-static mut HEAP: [u64; BYTES / 8] = [0; BYTES / 8];
-
-#[global_allocator]
-static ALLOCATOR: Bump = Bump { next: Cell::new(0) };
-
-/// There is one thread.
-unsafe impl Sync for Bump {}
-
-unsafe impl GlobalAlloc for Bump {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        // Multiples of 8 are aligned for all words.
-        let start = self.next.get();
-        self.next.set(start + layout.size().next_multiple_of(8));
-        if self.next.get() > BYTES || layout.align() > 8 {
-            core::arch::wasm32::unreachable();
-        }
-        unsafe { (&raw mut HEAP).cast::<u8>().add(start) }
-    }
-
-    unsafe fn dealloc(&self, _: *mut u8, _: Layout) {}
 }
