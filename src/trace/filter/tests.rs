@@ -2,7 +2,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::*;
 use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions, WideBvh};
-use crate::generate::procedural;
+use crate::generate::draw::Draw;
 use crate::geom::Mesh;
 use crate::trace::{BinaryTracer, Tracer, Truth};
 use crate::traverse::Method;
@@ -10,13 +10,15 @@ use crate::wide;
 
 /// Triangles in several leaves, and each of them three times, so that all hits are ties.
 fn scene() -> (Mesh, Bvh, Vec<Ray>) {
-    let mesh = procedural::layers(40);
-    let mesh = Mesh::new(mesh.vertices().to_vec(), mesh.triangles().repeat(3)).expect("a mesh");
+    let mut draw = Draw::new(1);
+    let vertices = (0..300).map(|_| draw.ints(16)).collect();
+    let faces: Vec<_> = (0..100).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let mesh = Mesh::new(vertices, faces.repeat(3)).expect("a mesh");
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
-    let bvh =
-        BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() }.build(&mesh).expect("a tree");
+    let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
+    let bvh = options.build(&mesh).expect("a tree");
     assert!(bvh.duplicates() > 0);
-    let rays = procedural::rays(&mesh, 2, 100);
+    let rays = (0..200).filter_map(|_| Ray::new(draw.ints(16), draw.ints(16)).ok()).collect();
     (mesh, bvh, rays)
 }
 
