@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds libstackless, and checks it in C and C++: gcc and clang, sanitizers and valgrind, and as it is installed.
-# UPDATE=1 first writes what is made of other files: src/single.rs and include/stackless.h.
+# UPDATE=1 first writes what is made of other files: src/single and include/stackless.h.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -20,12 +20,13 @@ compare() {
 }
 
 # In single precision the functions have other names.
-{
-    echo '//! What C calls for scenes in single precision: double.rs with other names, which test.sh makes.'
-    sed -e 1d -e 's/f64/f32/g; s/DVec3/Vec3/g; s/_d\b/_f/g; s/double precision/single precision/' src/double.rs
-} > "$made/single.rs"
-rustfmt --edition 2024 --config-path ../../rustfmt.toml "$made/single.rs"
-compare "$made/single.rs" src/single.rs
+mkdir -p "$made/single" src/single
+for file in src/double/*.rs src/double.rs; do
+    single=${file/double/single}
+    sed -e 's/f64/f32/g; s/DVec3/Vec3/g; s/_d\b/_f/g; s/double precision/single precision/' "$file" > "$made/${single#src/}"
+    rustfmt --edition 2024 --config-path ../../rustfmt.toml "$made/${single#src/}"
+    compare "$made/${single#src/}" "$single"
+done
 if command -v cbindgen > /dev/null; then
     cbindgen --quiet --config cbindgen.toml --output "$made/stackless.h" src/lib.rs
     compare "$made/stackless.h" include/stackless.h
@@ -76,3 +77,4 @@ cmake --build "$made/examples" >> "$made/cmake.log"
 "$made/examples/minimal"
 "$made/examples/minimal_cpp"
 "$made/examples/tracker"
+"$made/examples/paths"

@@ -5,12 +5,13 @@ use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
 
+use super::filter::{Filterable, FilteredQuery};
 use super::level::Level;
 use super::memory::lend;
 use super::prepared_ray::PreparedRay;
 use super::{
-    AllHitsQuery, BoxQuery, Crossings, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery,
-    NodeSearch, OwnBoxes, Part, PartialHit, Plan, QueryKind, RayQueries,
+    AllHitsQuery, BoxQuery, Crossings, Filter, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints,
+    NextHitQuery, NodeSearch, OwnBoxes, Part, PartialHit, Plan, QueryKind, RayQueries,
 };
 use crate::bvh::{BuildError, Bvh};
 use crate::geom::kernel::{Exact, Parity, Real};
@@ -225,6 +226,15 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> RayQueri
 
     fn all(&self, ray: &Ray<K::Vector>) -> Vec<Self::Hit> {
         self.run_shared(ray.octant(), self.sweep(ray)).into_hits()
+    }
+}
+
+impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> Filterable<K::Vector>
+    for BinaryTracer<T, K, B>
+{
+    fn find(&self, ray: &Ray<K::Vector>, filter: Filter<'_, Real<K>>, is_any: bool) -> Option<Hit<Real<K>>> {
+        let cast = PreparedRay::<K, B, _>::new(self.bvh(), ray);
+        self.run_shared(ray.octant(), FilteredQuery::over(cast, filter, is_any)).hit()
     }
 }
 

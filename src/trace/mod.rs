@@ -10,8 +10,8 @@
 //!
 //! | tracer | over | queries |
 //! |---|---|---|
-//! | [`Tracer`], the default | a hierarchy of eight children | [`RayQueries`], [`MeshQueries`] |
-//! | [`BinaryTracer`] | a binary hierarchy, with any traversal of both papers and any tests | [`RayQueries`], [`MeshQueries`] |
+//! | [`Tracer`], the default | a hierarchy of eight children | [`RayQueries`], [`MeshQueries`], [`Filterable`] |
+//! | [`BinaryTracer`] | a binary hierarchy, with any traversal of both papers and any tests | [`RayQueries`], [`MeshQueries`], [`Filterable`] |
 //! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that start on a surface | [`RayQueries`] |
 //!
 //! Construction of a tracer refuses a traversal that does not fit ([`Unsupported`](crate::traverse::Unsupported)).
@@ -28,6 +28,7 @@ mod child_order;
 mod continuation;
 mod counters;
 mod crossings;
+mod filter;
 mod instances;
 mod kernel_bvhs;
 mod leaf_primitives;
@@ -55,6 +56,7 @@ pub use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
 pub use counters::{Counters, WideCounters};
 pub use crossings::{AllHits, AllHits64, AllHitsQuery, Crossings};
+pub use filter::{Filter, Filterable, Filtered};
 pub use instances::{
     Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceTracer, Object,
 };

@@ -11,9 +11,11 @@ use std::marker::PhantomData;
 
 use glam::Vec3;
 
+use super::filter::{Filterable, FilteredQuery};
 use super::prepared_ray::PreparedRay;
 use super::{
-    AllHitsQuery, Crossings, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery, RayQueries, next,
+    AllHitsQuery, Crossings, Filter, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery, RayQueries,
+    next,
 };
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, Precision, with_baseline};
@@ -210,6 +212,18 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> RayQueries<Ray<V>> for Tracer<T, V>
 
     fn any_hit_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
         self.each(rays, HitQuery::AnyHit, |hit| hit)
+    }
+}
+
+impl<V: Precision, T: Borrow<WideBvh<8, V>>> Filterable<V> for Tracer<T, V> {
+    fn find(&self, ray: &Ray<V>, filter: Filter<'_, V::Real>, is_any: bool) -> Option<Hit<V::Real>> {
+        let bvh = self.bvh();
+        with_baseline!(simd => {
+            let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
+            let mut query = FilteredQuery::over(cast, filter, is_any);
+            self.run_shared(&mut query);
+            query.hit()
+        })
     }
 }
 

@@ -13,7 +13,7 @@ int main(void)
     }
     const stackless_ray_d ray = {.origin = {0.25, 0.25, -1}, .direction = {0, 0, 1}, .tmax = 100};
     stackless_hit_d hit;
-    if (stackless_closest1_d(scene, &ray, &hit)) {
+    if (stackless_closest1_d(scene, &ray, NULL, &hit)) {
         fprintf(stderr, "%s\n", stackless_error_message());
         return 1;
     }

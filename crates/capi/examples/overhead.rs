@@ -44,8 +44,18 @@ struct RawHit<R> {
 
 type New<R> =
     unsafe extern "C" fn(*const R, usize, usize, *const u32, usize, usize, *const c_void, *mut *mut c_void) -> u32;
-type One<R, A> = unsafe extern "C" fn(*const c_void, *const RawRay<R>, *mut A) -> u32;
-type Many<R, A> = unsafe extern "C" fn(*const c_void, *const RawRay<R>, usize, usize, *mut A, usize, u32) -> u32;
+type One<R, A> = unsafe extern "C" fn(*const c_void, *const RawRay<R>, *const c_void, *mut A) -> u32;
+type Many<R, A> = unsafe extern "C" fn(
+    *const c_void,
+    *const RawRay<R>,
+    usize,
+    usize,
+    *const c_void,
+    usize,
+    *mut A,
+    usize,
+    u32,
+) -> u32;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = env::args().nth(1).ok_or("usage: overhead PATH of libstackless.so")?;
@@ -130,18 +140,24 @@ fn run<V: Precision>(library: &Library) -> Result<(), Box<dyn Error>> {
             best(&mut with_made[0], || {
                 plain.iter().for_each(|ray| _ = black_box(checked(ray).map(|ray| tracer.closest(&ray))))
             });
-            best(&mut c[0], || plain.iter().zip(&mut hits).for_each(|(ray, hit)| _ = closest1(handle, ray, hit)));
+            best(&mut c[0], || {
+                plain.iter().zip(&mut hits).for_each(|(ray, hit)| _ = closest1(handle, ray, ptr::null(), hit))
+            });
             best(&mut rust[1], || _ = black_box(tracer.closest_each(rays)));
             best(&mut with_made[1], || _ = black_box(tracer.closest_each(&all_checked())));
-            best(&mut c[1], || _ = closest_n(handle, first, bytes[0], RAYS, hits.as_mut_ptr(), bytes[1], 0));
+            best(&mut c[1], || {
+                _ = closest_n(handle, first, bytes[0], RAYS, ptr::null(), 0, hits.as_mut_ptr(), bytes[1], 0)
+            });
             best(&mut rust[2], || rays.iter().for_each(|ray| _ = black_box(tracer.any(ray))));
             best(&mut with_made[2], || {
                 plain.iter().for_each(|ray| _ = black_box(checked(ray).map(|ray| tracer.any(&ray))))
             });
-            best(&mut c[2], || plain.iter().zip(&mut are_hit).for_each(|(ray, it)| _ = any1(handle, ray, it)));
+            best(&mut c[2], || {
+                plain.iter().zip(&mut are_hit).for_each(|(ray, it)| _ = any1(handle, ray, ptr::null(), it))
+            });
             best(&mut rust[3], || _ = black_box(tracer.any_each(rays)));
             best(&mut with_made[3], || _ = black_box(tracer.any_each(&all_checked())));
-            best(&mut c[3], || _ = any_n(handle, first, bytes[0], RAYS, are_hit.as_mut_ptr(), 1, 0));
+            best(&mut c[3], || _ = any_n(handle, first, bytes[0], RAYS, ptr::null(), 0, are_hit.as_mut_ptr(), 1, 0));
         }
     }
     for ((found, hit), is_hit) in tracer.closest_each(rays).into_iter().zip(&hits).zip(are_hit) {

@@ -89,6 +89,12 @@ typedef enum {
     STACKLESS_ERROR_INTERNAL = 7,
 } stackless_error;
 
+// A point that is known exactly: one of floats, or that of a hit. Any number of threads may use it at the same time.
+typedef struct stackless_point_d stackless_point_d;
+
+// A point that is known exactly: one of floats, or that of a hit. Any number of threads may use it at the same time.
+typedef struct stackless_point_f stackless_point_f;
+
 // A mesh with its hierarchy. Any number of threads may query it at the same time.
 typedef struct stackless_scene_d stackless_scene_d;
 
@@ -127,6 +133,21 @@ typedef struct {
     uint32_t face;
 } stackless_hit_d;
 
+// The hits of a ray that count. A query finds the first of these. Faces that are masked or skipped are not tested.
+typedef struct {
+    // Hits of a face count if its mask and this one have a bit in common. All bits are set in the masks of a new scene.
+    uint32_t mask;
+    // The index of a face whose hits do not count. May be null.
+    const uint32_t *skip;
+    // Returns whether a hit counts: for transparency, and for the sides of faces. May be null. `ray` is that of the call,
+    // where the program has it. The function must always return the same for a hit. It is called in no particular order,
+    // perhaps several times for one face, and by several threads at once in parallel batches. It must return: it must
+    // neither throw an exception nor jump. It may query scenes.
+    bool (*accepts)(void *user, const stackless_ray_d *ray, const stackless_hit_d *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_filter_d;
+
 // The point of the mesh that is nearest to another point.
 typedef struct {
     // Where it is; NaN if there is none.
@@ -136,6 +157,21 @@ typedef struct {
     // Index of its face; `STACKLESS_NO_FACE` if there is none.
     uint32_t face;
 } stackless_near_d;
+
+// A ray that begins at an exact point, such as that of a hit.
+typedef struct {
+    // Where it begins.
+    const stackless_point_d *origin;
+    // Where it ends, at t = 1. May be null: then the ray has this direction and this end.
+    const stackless_point_d *target;
+    // Finite, and not zero.
+    double direction[3];
+    // The greatest distance of a hit, at least 0. May be infinite.
+    double tmax;
+    // Whether the ends count. If not, hits have 0 < t < tmax: the face that the ray leaves is not hit, nor any other face
+    // that contains the origin.
+    bool is_closed;
+} stackless_exact_ray_d;
 
 // The points `origin + t * direction` with `tmin <= t <= tmax`.
 typedef struct {
@@ -161,6 +197,21 @@ typedef struct {
     uint32_t face;
 } stackless_hit_f;
 
+// The hits of a ray that count. A query finds the first of these. Faces that are masked or skipped are not tested.
+typedef struct {
+    // Hits of a face count if its mask and this one have a bit in common. All bits are set in the masks of a new scene.
+    uint32_t mask;
+    // The index of a face whose hits do not count. May be null.
+    const uint32_t *skip;
+    // Returns whether a hit counts: for transparency, and for the sides of faces. May be null. `ray` is that of the call,
+    // where the program has it. The function must always return the same for a hit. It is called in no particular order,
+    // perhaps several times for one face, and by several threads at once in parallel batches. It must return: it must
+    // neither throw an exception nor jump. It may query scenes.
+    bool (*accepts)(void *user, const stackless_ray_f *ray, const stackless_hit_f *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_filter_f;
+
 // The point of the mesh that is nearest to another point.
 typedef struct {
     // Where it is; NaN if there is none.
@@ -170,6 +221,21 @@ typedef struct {
     // Index of its face; `STACKLESS_NO_FACE` if there is none.
     uint32_t face;
 } stackless_near_f;
+
+// A ray that begins at an exact point, such as that of a hit.
+typedef struct {
+    // Where it begins.
+    const stackless_point_f *origin;
+    // Where it ends, at t = 1. May be null: then the ray has this direction and this end.
+    const stackless_point_f *target;
+    // Finite, and not zero.
+    float direction[3];
+    // The greatest distance of a hit, at least 0. May be infinite.
+    float tmax;
+    // Whether the ends count. If not, hits have 0 < t < tmax: the face that the ray leaves is not hit, nor any other face
+    // that contains the origin.
+    bool is_closed;
+} stackless_exact_ray_f;
 
 #ifdef __cplusplus
 extern "C" {
@@ -201,6 +267,13 @@ stackless_error stackless_scene_refit_d(stackless_scene_d *scene,
                                         size_t vertex_stride,
                                         size_t vertex_count);
 
+// Gives each face a mask, which the filters of rays are compared with. Masks are not saved. No other thread may use the
+// scene meanwhile.
+stackless_error stackless_scene_set_masks_d(stackless_scene_d *scene,
+                                            const uint32_t *masks,
+                                            size_t mask_stride,
+                                            size_t face_count);
+
 // Writes the numbers of vertices and of faces. Each pointer but the first may be null.
 stackless_error stackless_scene_counts_d(const stackless_scene_d *scene, size_t *vertex_count, size_t *face_count);
 
@@ -228,16 +301,25 @@ stackless_error stackless_scene_from_bytes_d(const uint8_t *bytes,
                                              uint32_t threads,
                                              stackless_scene_d **scene);
 
-// Finds the closest hit of a ray: the least exact distance, and of equal ones the least index of a face.
-stackless_error stackless_closest1_d(const stackless_scene_d *scene, const stackless_ray_d *ray, stackless_hit_d *hit);
+// Finds the closest hit of a ray: the least exact distance, and of equal ones the least index of a face. With a filter,
+// which may be null, the first hit that it accepts.
+stackless_error stackless_closest1_d(const stackless_scene_d *scene,
+                                     const stackless_ray_d *ray,
+                                     const stackless_filter_d *filter,
+                                     stackless_hit_d *hit);
 
-// Finds out whether a ray hits anything.
-stackless_error stackless_any1_d(const stackless_scene_d *scene, const stackless_ray_d *ray, bool *is_hit);
+// Finds out whether a ray hits anything, with a filter anything that it accepts. It may be null.
+stackless_error stackless_any1_d(const stackless_scene_d *scene,
+                                 const stackless_ray_d *ray,
+                                 const stackless_filter_d *filter,
+                                 bool *is_hit);
 
-// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones,
-// as many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
+// Finds all hits of a ray, each face once, in the order of exact distances and then of indices; with a filter, which may
+// be null, those that it accepts. Writes the first ones, as many as there is room for, and to `count` how many there
+// are. With a capacity of 0, `hits` may be null.
 stackless_error stackless_all1_d(const stackless_scene_d *scene,
                                  const stackless_ray_d *ray,
+                                 const stackless_filter_d *filter,
                                  stackless_hit_d *hits,
                                  size_t hit_stride,
                                  size_t capacity,
@@ -250,20 +332,25 @@ stackless_error stackless_next1_d(const stackless_scene_d *scene,
                                   const stackless_hit_d *after,
                                   stackless_hit_d *hit);
 
-// Finds the closest hit of each ray.
+// Finds the closest hit of each ray, by `stackless_closest1_d`. `filters` may be null. There is one for each ray, or
+// with a stride of 0 one for all.
 stackless_error stackless_closest_n_d(const stackless_scene_d *scene,
                                       const stackless_ray_d *rays,
                                       size_t ray_stride,
                                       size_t count,
+                                      const stackless_filter_d *filters,
+                                      size_t filter_stride,
                                       stackless_hit_d *hits,
                                       size_t hit_stride,
                                       uint32_t flags);
 
-// Finds out for each ray whether it hits anything.
+// Finds out for each ray whether it hits anything, by `stackless_any1_d`. Filters are as in `stackless_closest_n_d`.
 stackless_error stackless_any_n_d(const stackless_scene_d *scene,
                                   const stackless_ray_d *rays,
                                   size_t ray_stride,
                                   size_t count,
+                                  const stackless_filter_d *filters,
+                                  size_t filter_stride,
                                   bool *is_hit,
                                   size_t is_hit_stride,
                                   uint32_t flags);
@@ -311,6 +398,38 @@ stackless_error stackless_nearest_n_d(const stackless_scene_d *scene,
                                       size_t near_stride,
                                       uint32_t flags);
 
+// Finds the faces that are nearest to a point, three numbers, and no farther than the radius, which may be infinite: the
+// first `capacity` ones in the order of distances and then of indices. Writes to `count` how many it has found.
+stackless_error stackless_nearest_k1_d(const stackless_scene_d *scene,
+                                       const double *point,
+                                       double radius,
+                                       stackless_near_d *nears,
+                                       size_t near_stride,
+                                       size_t capacity,
+                                       size_t *count);
+
+// Makes an exact point of three numbers. `*point` is null after an error.
+stackless_error stackless_point_new_d(const double *coordinates, stackless_point_d **point);
+
+// Makes the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
+stackless_error stackless_point_of_hit_d(const stackless_scene_d *scene,
+                                         const stackless_ray_d *ray,
+                                         uint32_t face,
+                                         stackless_point_d **point);
+
+// Destroys a point, which no thread may use any more. Null is ignored. Rays that began there do not need it.
+stackless_error stackless_point_free_d(stackless_point_d *point);
+
+// Finds the closest hit of a ray that begins at an exact point, and makes the exact point of the hit: the next ray may
+// begin there. `point` may be null. `*point` is null after a miss and after an error.
+stackless_error stackless_exact_closest1_d(const stackless_scene_d *scene,
+                                           const stackless_exact_ray_d *ray,
+                                           stackless_hit_d *hit,
+                                           stackless_point_d **point);
+
+// Finds out whether a ray that begins at an exact point hits anything.
+stackless_error stackless_exact_any1_d(const stackless_scene_d *scene, const stackless_exact_ray_d *ray, bool *is_hit);
+
 // Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
 // both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
 // an error.
@@ -332,6 +451,13 @@ stackless_error stackless_scene_refit_f(stackless_scene_f *scene,
                                         const float *vertices,
                                         size_t vertex_stride,
                                         size_t vertex_count);
+
+// Gives each face a mask, which the filters of rays are compared with. Masks are not saved. No other thread may use the
+// scene meanwhile.
+stackless_error stackless_scene_set_masks_f(stackless_scene_f *scene,
+                                            const uint32_t *masks,
+                                            size_t mask_stride,
+                                            size_t face_count);
 
 // Writes the numbers of vertices and of faces. Each pointer but the first may be null.
 stackless_error stackless_scene_counts_f(const stackless_scene_f *scene, size_t *vertex_count, size_t *face_count);
@@ -360,16 +486,25 @@ stackless_error stackless_scene_from_bytes_f(const uint8_t *bytes,
                                              uint32_t threads,
                                              stackless_scene_f **scene);
 
-// Finds the closest hit of a ray: the least exact distance, and of equal ones the least index of a face.
-stackless_error stackless_closest1_f(const stackless_scene_f *scene, const stackless_ray_f *ray, stackless_hit_f *hit);
+// Finds the closest hit of a ray: the least exact distance, and of equal ones the least index of a face. With a filter,
+// which may be null, the first hit that it accepts.
+stackless_error stackless_closest1_f(const stackless_scene_f *scene,
+                                     const stackless_ray_f *ray,
+                                     const stackless_filter_f *filter,
+                                     stackless_hit_f *hit);
 
-// Finds out whether a ray hits anything.
-stackless_error stackless_any1_f(const stackless_scene_f *scene, const stackless_ray_f *ray, bool *is_hit);
+// Finds out whether a ray hits anything, with a filter anything that it accepts. It may be null.
+stackless_error stackless_any1_f(const stackless_scene_f *scene,
+                                 const stackless_ray_f *ray,
+                                 const stackless_filter_f *filter,
+                                 bool *is_hit);
 
-// Finds all hits of a ray, each face once, in the order of exact distances and then of indices. Writes the first ones,
-// as many as there is room for, and to `count` how many there are. With a capacity of 0, `hits` may be null.
+// Finds all hits of a ray, each face once, in the order of exact distances and then of indices; with a filter, which may
+// be null, those that it accepts. Writes the first ones, as many as there is room for, and to `count` how many there
+// are. With a capacity of 0, `hits` may be null.
 stackless_error stackless_all1_f(const stackless_scene_f *scene,
                                  const stackless_ray_f *ray,
+                                 const stackless_filter_f *filter,
                                  stackless_hit_f *hits,
                                  size_t hit_stride,
                                  size_t capacity,
@@ -382,20 +517,25 @@ stackless_error stackless_next1_f(const stackless_scene_f *scene,
                                   const stackless_hit_f *after,
                                   stackless_hit_f *hit);
 
-// Finds the closest hit of each ray.
+// Finds the closest hit of each ray, by `stackless_closest1_f`. `filters` may be null. There is one for each ray, or
+// with a stride of 0 one for all.
 stackless_error stackless_closest_n_f(const stackless_scene_f *scene,
                                       const stackless_ray_f *rays,
                                       size_t ray_stride,
                                       size_t count,
+                                      const stackless_filter_f *filters,
+                                      size_t filter_stride,
                                       stackless_hit_f *hits,
                                       size_t hit_stride,
                                       uint32_t flags);
 
-// Finds out for each ray whether it hits anything.
+// Finds out for each ray whether it hits anything, by `stackless_any1_f`. Filters are as in `stackless_closest_n_f`.
 stackless_error stackless_any_n_f(const stackless_scene_f *scene,
                                   const stackless_ray_f *rays,
                                   size_t ray_stride,
                                   size_t count,
+                                  const stackless_filter_f *filters,
+                                  size_t filter_stride,
                                   bool *is_hit,
                                   size_t is_hit_stride,
                                   uint32_t flags);
@@ -442,6 +582,38 @@ stackless_error stackless_nearest_n_f(const stackless_scene_f *scene,
                                       stackless_near_f *nears,
                                       size_t near_stride,
                                       uint32_t flags);
+
+// Finds the faces that are nearest to a point, three numbers, and no farther than the radius, which may be infinite: the
+// first `capacity` ones in the order of distances and then of indices. Writes to `count` how many it has found.
+stackless_error stackless_nearest_k1_f(const stackless_scene_f *scene,
+                                       const float *point,
+                                       float radius,
+                                       stackless_near_f *nears,
+                                       size_t near_stride,
+                                       size_t capacity,
+                                       size_t *count);
+
+// Makes an exact point of three numbers. `*point` is null after an error.
+stackless_error stackless_point_new_f(const float *coordinates, stackless_point_f **point);
+
+// Makes the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
+stackless_error stackless_point_of_hit_f(const stackless_scene_f *scene,
+                                         const stackless_ray_f *ray,
+                                         uint32_t face,
+                                         stackless_point_f **point);
+
+// Destroys a point, which no thread may use any more. Null is ignored. Rays that began there do not need it.
+stackless_error stackless_point_free_f(stackless_point_f *point);
+
+// Finds the closest hit of a ray that begins at an exact point, and makes the exact point of the hit: the next ray may
+// begin there. `point` may be null. `*point` is null after a miss and after an error.
+stackless_error stackless_exact_closest1_f(const stackless_scene_f *scene,
+                                           const stackless_exact_ray_f *ray,
+                                           stackless_hit_f *hit,
+                                           stackless_point_f **point);
+
+// Finds out whether a ray that begins at an exact point hits anything.
+stackless_error stackless_exact_any1_f(const stackless_scene_f *scene, const stackless_exact_ray_f *ray, bool *is_hit);
 
 #ifdef __cplusplus
 }  // extern "C"

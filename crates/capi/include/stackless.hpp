@@ -2,6 +2,7 @@
 #ifndef STACKLESS_HPP
 #define STACKLESS_HPP
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -59,9 +60,13 @@ template <class Real> struct functions;
         using ray = stackless_ray_##p;                                                                                 \
         using hit = stackless_hit_##p;                                                                                 \
         using nearest_point = stackless_near_##p;                                                                      \
+        using filter = stackless_filter_##p;                                                                           \
+        using point = stackless_point_##p;                                                                             \
+        using exact_ray = stackless_exact_ray_##p;                                                                     \
         static constexpr auto make = stackless_scene_new_##p;                                                          \
         static constexpr auto free = stackless_scene_free_##p;                                                         \
         static constexpr auto refit = stackless_scene_refit_##p;                                                       \
+        static constexpr auto set_masks = stackless_scene_set_masks_##p;                                               \
         static constexpr auto counts = stackless_scene_counts_##p;                                                     \
         static constexpr auto bounds = stackless_scene_bounds_##p;                                                     \
         static constexpr auto save = stackless_scene_save_##p;                                                         \
@@ -78,10 +83,42 @@ template <class Real> struct functions;
         static constexpr auto locate_n = stackless_locate_n_##p;                                                       \
         static constexpr auto signed_distances_n = stackless_signed_distances_n_##p;                                   \
         static constexpr auto nearest_n = stackless_nearest_n_##p;                                                     \
+        static constexpr auto nearest_k1 = stackless_nearest_k1_##p;                                                   \
+        static constexpr auto point_new = stackless_point_new_##p;                                                     \
+        static constexpr auto point_of_hit = stackless_point_of_hit_##p;                                               \
+        static constexpr auto point_free = stackless_point_free_##p;                                                   \
+        static constexpr auto exact_closest1 = stackless_exact_closest1_##p;                                           \
+        static constexpr auto exact_any1 = stackless_exact_any1_##p;                                                   \
     };
 STACKLESS_FUNCTIONS(float, f)
 STACKLESS_FUNCTIONS(double, d)
 #undef STACKLESS_FUNCTIONS
+
+// A point that is not rounded, such as that of a hit.
+template <class Real> class exact_point {
+    using call = functions<Real>;
+    using handle = typename call::point;
+
+public:
+    explicit exact_point(const std::array<Real, 3>& coordinates)
+    {
+        handle* made = nullptr;
+        check(call::point_new(coordinates.data(), &made));
+        handle_.reset(made);
+    }
+
+    // Takes a point that a function of stackless.h has made.
+    explicit exact_point(handle* made) : handle_(made) {}
+
+    const handle* get() const noexcept { return handle_.get(); }
+
+private:
+    struct deleter {
+        void operator()(handle* it) const noexcept { call::point_free(it); }
+    };
+
+    std::unique_ptr<handle, deleter> handle_;
+};
 
 // A mesh with its hierarchy, in the precision `Real`: float or double. Threads may call its const functions at the same
 // time. Containers are contiguous: vectors, arrays, spans. Vertices, points and faces are structures that begin with
@@ -95,6 +132,14 @@ public:
     using hit = typename call::hit;
     using nearest_point = typename call::nearest_point;
     using point = std::array<Real, 3>;
+    using filter = typename call::filter;
+    using exact_ray = typename call::exact_ray;
+
+    // A hit, and the point from which the next ray may begin.
+    struct exact_hit {
+        hit found;
+        exact_point<Real> point;
+    };
 
     template <class Vertices, class Faces>
     scene(const Vertices& vertices, const Faces& faces, const stackless_options& options = {})
@@ -135,6 +180,22 @@ public:
         check(call::refit(handle_.get(), numbers<Real>(vertices), stride(vertices), std::size(vertices)));
     }
 
+    // One for each face.
+    void set_masks(const std::vector<std::uint32_t>& masks)
+    {
+        check(call::set_masks(handle_.get(), masks.data(), sizeof(masks[0]), masks.size()));
+    }
+
+    // A filter that asks `accepts(ray, hit)`, which must be pure and not throw, and is not copied.
+    template <class Accepts>
+    static filter accepting(Accepts& accepts, std::uint32_t mask = UINT32_MAX, const std::uint32_t* skip = nullptr)
+    {
+        const auto ask = [](void* user, const ray* r, const hit* found) noexcept -> bool {
+            return (*static_cast<Accepts*>(user))(*r, *found);
+        };
+        return {mask, skip, ask, const_cast<void*>(static_cast<const void*>(&accepts))};
+    }
+
     std::size_t face_count() const
     {
         std::size_t count = 0;
@@ -150,29 +211,29 @@ public:
         return found;
     }
 
-    std::optional<hit> closest(const ray& r) const
+    std::optional<hit> closest(const ray& r, const filter* by = nullptr) const
     {
         hit found;
-        check(call::closest1(get(), &r, &found));
+        check(call::closest1(get(), &r, by, &found));
         return some(found);
     }
 
-    bool any(const ray& r) const
+    bool any(const ray& r, const filter* by = nullptr) const
     {
         bool found = false;
-        check(call::any1(get(), &r, &found));
+        check(call::any1(get(), &r, by, &found));
         return found;
     }
 
-    std::vector<hit> all(const ray& r) const
+    std::vector<hit> all(const ray& r, const filter* by = nullptr) const
     {
         std::vector<hit> hits(8);
         std::size_t count = 0;
-        check(call::all1(get(), &r, hits.data(), sizeof(hit), hits.size(), &count));
+        check(call::all1(get(), &r, by, hits.data(), sizeof(hit), hits.size(), &count));
         const bool is_short = count > hits.size();
         hits.resize(count);
         if (is_short) {
-            check(call::all1(get(), &r, hits.data(), sizeof(hit), hits.size(), &count));
+            check(call::all1(get(), &r, by, hits.data(), sizeof(hit), hits.size(), &count));
         }
         return hits;
     }
@@ -184,20 +245,46 @@ public:
         return some(found);
     }
 
-    // Of a miss the face is STACKLESS_NO_FACE.
-    template <class Rays> std::vector<hit> closest_n(const Rays& rays, threads by = threads::one) const
+    // The exact point at which a ray hits a face.
+    exact_point<Real> point_of_hit(const ray& r, std::uint32_t face) const
+    {
+        typename call::point* made = nullptr;
+        check(call::point_of_hit(get(), &r, face, &made));
+        return exact_point<Real>(made);
+    }
+
+    std::optional<exact_hit> exact_closest(const exact_ray& r) const
+    {
+        hit found;
+        typename call::point* made = nullptr;
+        check(call::exact_closest1(get(), &r, &found, &made));
+        return made == nullptr ? std::nullopt : std::optional<exact_hit>({found, exact_point<Real>(made)});
+    }
+
+    bool exact_any(const exact_ray& r) const
+    {
+        bool found = false;
+        check(call::exact_any1(get(), &r, &found));
+        return found;
+    }
+
+    // Of a miss the face is STACKLESS_NO_FACE. A filter is for all rays.
+    template <class Rays>
+    std::vector<hit> closest_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
     {
         std::vector<hit> hits(std::size(rays));
-        check(call::closest_n(get(), of_rays(rays), sizeof(ray), hits.size(), hits.data(), sizeof(hit), flags(by)));
+        check(call::closest_n(get(), of_rays(rays), sizeof(ray), hits.size(), of, 0, hits.data(), sizeof(hit),
+                              flags(by)));
         return hits;
     }
 
     // 1 for each ray that hits, else 0.
-    template <class Rays> std::vector<std::uint8_t> any_n(const Rays& rays, threads by = threads::one) const
+    template <class Rays>
+    std::vector<std::uint8_t> any_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
     {
         const std::size_t count = std::size(rays);
         const std::unique_ptr<bool[]> found(new bool[count]());
-        check(call::any_n(get(), of_rays(rays), sizeof(ray), count, found.get(), sizeof(bool), flags(by)));
+        check(call::any_n(get(), of_rays(rays), sizeof(ray), count, of, 0, found.get(), sizeof(bool), flags(by)));
         return std::vector<std::uint8_t>(found.get(), found.get() + count);
     }
 
@@ -243,6 +330,16 @@ public:
         std::vector<nearest_point> nears(std::size(points));
         check(call::nearest_n(get(), numbers<Real>(points), stride(points), nears.size(), radius, nears.data(),
                               sizeof(nearest_point), flags(by)));
+        return nears;
+    }
+
+    // The nearest faces, at most so many, in order.
+    std::vector<nearest_point> nearest_k(const point& p, Real radius, std::size_t most) const
+    {
+        std::size_t count = std::min(most, face_count());
+        std::vector<nearest_point> nears(count);
+        check(call::nearest_k1(get(), p.data(), radius, nears.data(), sizeof(nearest_point), nears.size(), &count));
+        nears.resize(count);
         return nears;
     }
 

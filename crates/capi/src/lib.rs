@@ -1,7 +1,7 @@
 //! The library for C and C++. `include/stackless.h` is its documentation, which cbindgen makes of this crate.
 //!
-//! [`double`] and [`single`] have the functions that C calls. They turn pointers into values by [`memory`], the only
-//! other module with `unsafe`, and call [`queries`] and [`scene`], which are safe.
+//! [`double`] and [`single`] have the functions that C calls. They turn pointers into values by [`memory`] and [`filters`],
+//! the only other modules with `unsafe`, and call [`queries`], [`exact`] and [`scene`], which are safe.
 
 #![deny(unsafe_code)]
 
@@ -9,6 +9,9 @@ mod border;
 #[allow(unsafe_code, reason = "C calls it, with pointers")]
 pub mod double;
 mod error;
+mod exact;
+#[allow(unsafe_code, reason = "calls the functions of the caller")]
+mod filters;
 #[allow(unsafe_code, reason = "reads and writes through the pointers of the caller")]
 mod memory;
 mod queries;
@@ -19,5 +22,6 @@ mod types;
 
 pub use border::stackless_error_message;
 pub use error::Error;
+pub use exact::Point;
 pub use scene::Scene;
-pub use types::{Hit, Near, Options, Ray};
+pub use types::{ExactRay, Filter, Hit, Near, Options, Ray};

@@ -28,6 +28,13 @@ pub(crate) struct Element {
     index: Option<usize>,
 }
 
+impl Element {
+    /// A single one.
+    pub(crate) const fn of(name: &'static str) -> Self {
+        Self { name, index: None }
+    }
+}
+
 impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
@@ -162,8 +169,22 @@ impl<T: Copy> In<'_, T> {
         Ok(Self { first: pointer, layout: Layout::one::<T>(), name: (name, true), borrowed: PhantomData })
     }
 
+    /// One element that stands for as many.
+    ///
+    /// # Safety
+    /// As [`new`](Self::new), with a count of 1.
+    pub(crate) unsafe fn repeated(name: &'static str, pointer: *const T, count: usize) -> Result<Self, Fault> {
+        check(pointer, name)?;
+        Ok(Self { first: pointer, layout: Layout { stride: 0, count }, name: (name, true), borrowed: PhantomData })
+    }
+
     pub(crate) fn count(&self) -> usize {
         self.layout.count
+    }
+
+    /// Where an element is.
+    pub(crate) fn pointer(&self, index: usize) -> *const T {
+        self.first.wrapping_byte_add(self.layout.offset(index))
     }
 
     pub(crate) fn element(&self, index: usize) -> Element {

@@ -6,9 +6,12 @@ use std::sync::Arc;
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, Ray as CheckedRay, RayError, Real as _, check_environment};
-use stackless_bvh::trace::{Hit as Found, Location, MeshQueries as _, RayQueries as _, Rule, Solid, Tracer};
+use stackless_bvh::trace::{
+    Filterable as _, Hit as Found, Location, MeshQueries as _, Near as FoundNear, RayQueries as _, Rule, Solid, Tracer,
+};
 
 use crate::error::Fault;
+use crate::filters::Filters;
 use crate::memory::{In, Out};
 use crate::scene::Scene;
 use crate::types::{
@@ -17,22 +20,39 @@ use crate::types::{
 };
 
 /// Numbers of a precision.
-type Real<V> = <V as stackless_bvh::geom::Vector>::Real;
+pub(crate) type Real<V> = <V as stackless_bvh::geom::Vector>::Real;
 
 /// Rays of the caller.
-type Rays<'a, V> = In<'a, Ray<Real<V>>>;
+pub(crate) type Rays<'a, V> = In<'a, Ray<Real<V>>>;
 
 impl<V: Precision> Scene<V> {
-    pub(crate) fn closest1(&self, ray: &Rays<'_, V>) -> Result<Hit<Real<V>>, Fault> {
-        Ok(hit::<V>(self.tracer().closest(&checked::<V>(ray, 0)?)))
+    pub(crate) fn closest1(
+        &self,
+        rays: &Rays<'_, V>,
+        filters: &Filters<'_, Real<V>>,
+        index: usize,
+    ) -> Result<Hit<Real<V>>, Fault> {
+        let (ray, filter) = (checked::<V>(rays, index)?, filters.get(index, rays)?);
+        Ok(hit::<V>(match filter {
+            None => self.tracer().closest(&ray),
+            Some(filter) => filter.ask(self.masks(), |filter| self.tracer().filtered(filter).closest(&ray)),
+        }))
     }
 
-    pub(crate) fn any1(&self, ray: &Rays<'_, V>) -> Result<bool, Fault> {
-        Ok(self.tracer().any(&checked::<V>(ray, 0)?))
+    pub(crate) fn any1(&self, rays: &Rays<'_, V>, filters: &Filters<'_, Real<V>>, index: usize) -> Result<bool, Fault> {
+        let (ray, filter) = (checked::<V>(rays, index)?, filters.get(index, rays)?);
+        Ok(match filter {
+            None => self.tracer().any(&ray),
+            Some(filter) => filter.ask(self.masks(), |filter| self.tracer().filtered(filter).any(&ray)),
+        })
     }
 
-    pub(crate) fn all1(&self, ray: &Rays<'_, V>) -> Result<Vec<Hit<Real<V>>>, Fault> {
-        let hits = self.tracer().all(&checked::<V>(ray, 0)?);
+    pub(crate) fn all1(&self, ray: &Rays<'_, V>, filters: &Filters<'_, Real<V>>) -> Result<Vec<Hit<Real<V>>>, Fault> {
+        let (checked, filter) = (checked::<V>(ray, 0)?, filters.get(0, ray)?);
+        let hits = match filter {
+            None => self.tracer().all(&checked),
+            Some(filter) => filter.ask(self.masks(), |filter| self.tracer().filtered(filter).all(&checked)),
+        };
         Ok(hits.into_iter().map(|found| hit::<V>(Some(found))).collect())
     }
 
@@ -45,15 +65,36 @@ impl<V: Precision> Scene<V> {
         Ok(hit::<V>(self.tracer().next(&checked::<V>(ray, 0)?, (after.t, after.face))))
     }
 
-    pub(crate) fn closest_n(&self, rays: &Rays<'_, V>, hits: Out<'_, Hit<Real<V>>>, flags: u32) -> Result<(), Fault> {
+    /// Rays without filters are traced interleaved, which is faster.
+    pub(crate) fn closest_n(
+        &self,
+        rays: &Rays<'_, V>,
+        filters: &Filters<'_, Real<V>>,
+        hits: Out<'_, Hit<Real<V>>>,
+        flags: u32,
+    ) -> Result<(), Fault> {
         self.batch(hits, flags, |range| {
+            if !filters.is_none() {
+                return range.map(|index| self.closest1(rays, filters, index)).collect();
+            }
             let hits = self.tracer().closest_each(&all_checked::<V>(rays, range)?);
             Ok(hits.into_iter().map(hit::<V>).collect())
         })
     }
 
-    pub(crate) fn any_n(&self, rays: &Rays<'_, V>, hits: Out<'_, bool>, flags: u32) -> Result<(), Fault> {
-        self.batch(hits, flags, |range| Ok(self.tracer().any_each(&all_checked::<V>(rays, range)?)))
+    pub(crate) fn any_n(
+        &self,
+        rays: &Rays<'_, V>,
+        filters: &Filters<'_, Real<V>>,
+        hits: Out<'_, bool>,
+        flags: u32,
+    ) -> Result<(), Fault> {
+        self.batch(hits, flags, |range| {
+            if !filters.is_none() {
+                return range.map(|index| self.any1(rays, filters, index)).collect();
+            }
+            Ok(self.tracer().any_each(&all_checked::<V>(rays, range)?))
+        })
     }
 
     pub(crate) fn crossings_n(&self, rays: &Rays<'_, V>, counts: Out<'_, u32>, flags: u32) -> Result<(), Fault> {
@@ -125,15 +166,21 @@ impl<V: Precision> Scene<V> {
                 ball.map_err(|error| Fault::of_ball(error, points.element(index)))
             };
             let balls = range.map(ball).collect::<Result<Vec<_>, _>>()?;
-            let point = [V::Real::rounded(f64::NAN); 3];
-            let none = Near { point, distance: V::Real::INFINITY, face: STACKLESS_NO_FACE };
-            let near = |found: stackless_bvh::trace::Near<V>| Near {
-                point: found.point.components(),
-                distance: found.distance,
-                face: found.prim,
-            };
-            Ok(self.tracer().nearest_each(&balls).into_iter().map(|found| found.map_or(none, near)).collect())
+            Ok(self.tracer().nearest_each(&balls).into_iter().map(near::<V>).collect())
         })
+    }
+
+    /// The `k` nearest faces.
+    pub(crate) fn nearest_k1(
+        &self,
+        point: &In<'_, [Real<V>; 3]>,
+        radius: Real<V>,
+        k: usize,
+    ) -> Result<Vec<Near<Real<V>>>, Fault> {
+        let ball = Ball::new(V::from_components(point.get(0)), radius);
+        let ball = ball.map_err(|error| Fault::of_ball(error, point.element(0)))?;
+        let k = k.min(self.mesh().triangles().len());
+        Ok(self.tracer().nearest_k(&ball, k).into_iter().map(|found| near::<V>(Some(found))).collect())
     }
 
     /// Writes what `answer` makes of ranges of indices.
@@ -155,14 +202,24 @@ fn all_checked<V: Precision>(rays: &Rays<'_, V>, range: Range<usize>) -> Result<
     range.map(|index| checked::<V>(rays, index)).collect()
 }
 
-fn checked<V: Precision>(rays: &Rays<'_, V>, index: usize) -> Result<CheckedRay<V>, Fault> {
+pub(crate) fn checked<V: Precision>(rays: &Rays<'_, V>, index: usize) -> Result<CheckedRay<V>, Fault> {
     let Ray { origin, tmin, direction, tmax } = rays.get(index);
     let ray = CheckedRay::within(V::from_components(origin), V::from_components(direction), tmin, tmax);
     ray.map_err(|error| Fault::of_ray(error, rays.element(index)))
 }
 
-fn hit<V: Precision>(found: Option<Found<Real<V>>>) -> Hit<Real<V>> {
+pub(crate) fn hit<V: Precision>(found: Option<Found<Real<V>>>) -> Hit<Real<V>> {
     let nan = V::Real::rounded(f64::NAN);
     let miss = Hit { t: V::Real::INFINITY, u: nan, v: nan, face: STACKLESS_NO_FACE };
     found.map_or(miss, |Found { prim, t, u, v }| Hit { t, u, v, face: prim })
+}
+
+fn near<V: Precision>(found: Option<FoundNear<V>>) -> Near<Real<V>> {
+    let point = [V::Real::rounded(f64::NAN); 3];
+    let none = Near { point, distance: V::Real::INFINITY, face: STACKLESS_NO_FACE };
+    found.map_or(none, |FoundNear { point, distance, prim, .. }| Near {
+        point: point.components(),
+        distance,
+        face: prim,
+    })
 }

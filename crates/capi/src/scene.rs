@@ -9,7 +9,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use stackless_bvh::bvh::{BuildOptions, Builder, Stored, WideBvh};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{MAX_COUNT, Mesh};
-use stackless_bvh::trace::{Boundary, Tracer};
+use stackless_bvh::trace::{Assembly, Boundary, InstanceTracer, Tracer};
+use stackless_bvh::traverse::Method;
 use stackless_scene::{scene_from_bytes, scene_to_bytes, write_atomically};
 
 use crate::error::{Error, Fault};
@@ -25,8 +26,14 @@ pub struct Scene<V: Precision> {
     bvh: Arc<WideBvh<8, V>>,
     /// Over the hierarchy. The scene keeps it because `Tracer::new` detects the level of instructions each time.
     tracer: Tracer<Arc<WideBvh<8, V>>, V>,
+    /// Of the corners of faces: the least and the greatest coordinates.
+    bounds: [[V::Real; 3]; 2],
+    /// Of each face, or empty: then all bits are set.
+    masks: Vec<u32>,
     /// Computed by the first query that needs it.
     boundary: OnceLock<Boundary>,
+    /// Likewise, for rays that begin at exact points.
+    exact: OnceLock<InstanceTracer<V>>,
     /// Its own threads; else those of the process.
     pool: Option<ThreadPool>,
 }
@@ -54,8 +61,19 @@ impl<V: Precision + Stored> Scene<V> {
     }
 
     fn of(mesh: Mesh<V>, bvh: WideBvh<8, V>, pool: Option<ThreadPool>) -> Self {
-        let bvh = Arc::new(bvh);
-        Self { mesh, tracer: Tracer::new(Arc::clone(&bvh)), bvh, boundary: OnceLock::new(), pool }
+        let (bvh, bounds) = (Arc::new(bvh), bounds(&mesh));
+        let tracer = Tracer::new(Arc::clone(&bvh));
+        Self { mesh, bvh, tracer, bounds, masks: Vec::new(), boundary: OnceLock::new(), exact: OnceLock::new(), pool }
+    }
+
+    /// Gives each face a mask.
+    pub(crate) fn set_masks(&mut self, masks: &In<'_, u32>) -> Result<(), Fault> {
+        let (found, expected) = (masks.count(), self.mesh.triangles().len());
+        if found != expected {
+            return Err(Fault::argument(format!("face_count: {found}, expected {expected} as the scene has")));
+        }
+        self.masks = masks.to_vec()?;
+        Ok(())
     }
 
     /// Moves the vertices.
@@ -65,13 +83,13 @@ impl<V: Precision + Stored> Scene<V> {
             return Err(Fault::argument(format!("vertex_count: {found}, expected {expected} as the scene has")));
         }
         let mesh = Mesh::new(vectors::<V>(vertices)?, self.mesh.triangles().to_vec())?;
-        let Self { bvh, tracer, pool, .. } = self;
+        let Self { bvh, tracer, pool, exact, .. } = self;
         // Nothing else shares the hierarchy then, so that it is not copied.
-        *tracer = Tracer::new(Arc::new(WideBvh::empty()));
+        (*tracer, *exact) = (Tracer::new(Arc::new(WideBvh::empty())), OnceLock::new());
         let refitted = shared(pool.as_ref(), || Arc::make_mut(bvh).refit(&mesh));
         *tracer = Tracer::new(Arc::clone(bvh));
         refitted?;
-        (self.mesh, self.boundary) = (mesh, OnceLock::new());
+        (self.bounds, self.mesh, self.boundary) = (bounds(&mesh), mesh, OnceLock::new());
         Ok(())
     }
 
@@ -121,16 +139,35 @@ impl<V: Precision> Scene<V> {
         shared(self.pool.as_ref(), work)
     }
 
-    /// The least and the greatest coordinates of all corners of faces.
-    pub(crate) fn bounds(&self) -> [[V::Real; 3]; 2] {
-        let corners = self.mesh.triangles().iter().flatten().map(|&corner| self.mesh.vertices()[corner as usize]);
-        let first = self.mesh.triangle(0)[0].components();
-        corners.map(V::components).fold([first; 2], |[lower, upper], x| {
-            let least = |a, b| if b < a { b } else { a };
-            let most = |a, b| if b > a { b } else { a };
-            [[0, 1, 2].map(|k| least(lower[k], x[k])), [0, 1, 2].map(|k| most(upper[k], x[k]))]
-        })
+    pub(crate) const fn bounds(&self) -> [[V::Real; 3]; 2] {
+        self.bounds
     }
+
+    pub(crate) fn masks(&self) -> &[u32] {
+        &self.masks
+    }
+
+    /// A tracer of rays that begin at exact points. It shares the hierarchy.
+    pub(crate) fn exact_tracer(&self) -> Result<&InstanceTracer<V>, Fault> {
+        if let Some(tracer) = self.exact.get() {
+            return Ok(tracer);
+        }
+        let mut assembly = Assembly::new();
+        let object = assembly.add_wide::<V>(Arc::clone(&self.bvh));
+        let tracer = InstanceTracer::new(&assembly, object, Method::default());
+        let tracer = tracer.map_err(|error| Fault::new(Error::Internal, error))?;
+        Ok(self.exact.get_or_init(|| tracer))
+    }
+}
+
+fn bounds<V: Precision>(mesh: &Mesh<V>) -> [[V::Real; 3]; 2] {
+    let corners = mesh.triangles().iter().flatten().map(|&corner| mesh.vertices()[corner as usize]);
+    let first = mesh.triangle(0)[0].components();
+    corners.map(V::components).fold([first; 2], |[lower, upper], x| {
+        let least = |a, b| if b < a { b } else { a };
+        let most = |a, b| if b > a { b } else { a };
+        [[0, 1, 2].map(|k| least(lower[k], x[k])), [0, 1, 2].map(|k| most(upper[k], x[k]))]
+    })
 }
 
 fn shared<A: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> A + Send) -> A {

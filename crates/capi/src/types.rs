@@ -1,5 +1,11 @@
 //! The structures and constants that C sees.
 
+use std::ffi::c_void;
+
+use stackless_bvh::geom::lanes::Precision;
+
+use crate::exact::Point;
+
 /// The index of no face: that of a ray that misses.
 pub const STACKLESS_NO_FACE: u32 = u32::MAX;
 
@@ -53,6 +59,40 @@ pub struct Ray<R> {
     pub direction: [R; 3],
     /// The greatest distance of a hit, at least `tmin`. May be infinite.
     pub tmax: R,
+}
+
+/// The hits of a ray that count. A query finds the first of these. Faces that are masked or skipped are not tested.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Filter<R> {
+    /// Hits of a face count if its mask and this one have a bit in common. All bits are set in the masks of a new scene.
+    pub mask: u32,
+    /// The index of a face whose hits do not count. May be null.
+    pub skip: *const u32,
+    /// Returns whether a hit counts: for transparency, and for the sides of faces. May be null. `ray` is that of the call,
+    /// where the program has it. The function must always return the same for a hit. It is called in no particular order,
+    /// perhaps several times for one face, and by several threads at once in parallel batches. It must return: it must
+    /// neither throw an exception nor jump. It may query scenes.
+    pub accepts: Option<unsafe extern "C" fn(user: *mut c_void, ray: *const Ray<R>, hit: *const Hit<R>) -> bool>,
+    /// Passed to `accepts`.
+    pub user: *mut c_void,
+}
+
+/// A ray that begins at an exact point, such as that of a hit.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct ExactRay<R, V: Precision> {
+    /// Where it begins.
+    pub origin: *const Point<V>,
+    /// Where it ends, at t = 1. May be null: then the ray has this direction and this end.
+    pub target: *const Point<V>,
+    /// Finite, and not zero.
+    pub direction: [R; 3],
+    /// The greatest distance of a hit, at least 0. May be infinite.
+    pub tmax: R,
+    /// Whether the ends count. If not, hits have 0 < t < tmax: the face that the ray leaves is not hit, nor any other face
+    /// that contains the origin.
+    pub is_closed: bool,
 }
 
 /// Where a ray meets a face.

@@ -13,7 +13,7 @@ typedef struct { char tag; uint32_t corners[3]; } face_t;
 #pragma pack(pop)
 
 /* Ray and hit in one structure, as Embree has them. */
-typedef struct { ray_t ray; int number; hit_t hit; bool is_hit; } rayhit_t;
+typedef struct { ray_t ray; int number; hit_t hit; bool is_hit; filter_t filter; } rayhit_t;
 
 typedef struct { int64_t t, u, v, det; uint32_t face; } exact_t;
 
@@ -110,9 +110,9 @@ static void check_ray(const scene_t *scene, rayhit_t *it, size_t *hits, size_t *
     size_t listed;
     bool is_hit;
     hit_t hit, next;
-    OK(CALL(closest1)(scene, &it->ray, &hit));
-    OK(CALL(any1)(scene, &it->ray, &is_hit));
-    OK(CALL(all1)(scene, &it->ray, list, sizeof list[0], FACES, &listed));
+    OK(CALL(closest1)(scene, &it->ray, NULL, &hit));
+    OK(CALL(any1)(scene, &it->ray, NULL, &is_hit));
+    OK(CALL(all1)(scene, &it->ray, NULL, list, sizeof list[0], FACES, &listed));
     CHECK(listed == count && is_hit == (count > 0));
     if (count == 0) {
         CHECK(hit.face == STACKLESS_NO_FACE && isinf(hit.t) && isnan(hit.u) && isnan(hit.v));
@@ -138,14 +138,98 @@ static void batches(const scene_t *scene, uint32_t flags)
         rays[i].hit.face = 7;
         rays[i].is_hit = i % 2;
     }
-    OK(CALL(closest_n)(scene, &rays[0].ray, stride, RAYS, &rays[0].hit, stride, flags));
-    OK(CALL(any_n)(scene, &rays[0].ray, stride, RAYS, &rays[0].is_hit, stride, flags));
+    OK(CALL(closest_n)(scene, &rays[0].ray, stride, RAYS, NULL, 0, &rays[0].hit, stride, flags));
+    OK(CALL(any_n)(scene, &rays[0].ray, stride, RAYS, NULL, 0, &rays[0].is_hit, stride, flags));
     size_t hits = 0, ties = 0;
     for (int i = 0; i < RAYS; i++) {
         CHECK(rays[i].number == i);
         check_ray(scene, &rays[i], &hits, &ties);
     }
     CHECK(hits > 5 * RAYS && ties > RAYS / 10);
+}
+
+/* Of two halves of each triangle one is there. The ray is that of the call. */
+static bool accepts(void *user, const ray_t *ray, const hit_t *hit)
+{
+    CHECK(ray == user || ray == &((const rayhit_t *)user)->ray);
+    return hit->u <= hit->v;
+}
+
+static bool accepts_any_ray(void *user, const ray_t *ray, const hit_t *hit)
+{
+    CHECK(user == NULL && ray >= &rays[0].ray);
+    return hit->u <= hit->v;
+}
+
+static uint32_t mask_of(uint32_t face)
+{
+    return 1u << face % 3;
+}
+
+/* Leaves of the hits that were found those that a filter accepts. */
+static size_t keep(size_t count, const filter_t *filter)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t face = found[i].face;
+        if ((filter->mask & mask_of(face)) != 0 && (filter->skip == NULL || face != *filter->skip) &&
+            (filter->accepts == NULL || found[i].u <= found[i].v)) {
+            found[kept++] = found[i];
+        }
+    }
+    return kept;
+}
+
+static size_t check_filtered(const scene_t *scene, const rayhit_t *it)
+{
+    static hit_t list[FACES];
+    const size_t count = keep(all(&it->ray), &it->filter);
+    size_t listed;
+    bool is_hit;
+    hit_t hit;
+    OK(CALL(closest1)(scene, &it->ray, &it->filter, &hit));
+    OK(CALL(any1)(scene, &it->ray, &it->filter, &is_hit));
+    OK(CALL(all1)(scene, &it->ray, &it->filter, list, sizeof list[0], FACES, &listed));
+    CHECK(listed == count && is_hit == (count > 0) && it->is_hit == is_hit && it->hit.face == hit.face);
+    CHECK(count > 0 ? equals(&hit, &found[0]) : hit.face == STACKLESS_NO_FACE);
+    for (size_t i = 0; i < count; i++) {
+        CHECK(equals(&list[i], &found[i]));
+    }
+    return count;
+}
+
+/* Masks, a face to skip and a function, for each ray, and for all. */
+static void filters(scene_t *scene, uint32_t flags)
+{
+    const size_t stride = sizeof rays[0];
+    struct { uint32_t mask, other; } masks[FACES];
+    for (uint32_t face = 0; face < FACES; face++) {
+        masks[face].mask = mask_of(face);
+    }
+    OK(CALL(scene_set_masks)(scene, &masks[0].mask, sizeof masks[0], FACES));
+    for (int i = 0; i < RAYS; i++) {
+        hit_t first;
+        OK(CALL(closest1)(scene, &rays[i].ray, NULL, &first));
+        rays[i].number = (int)first.face;
+        rays[i].filter = (filter_t){.mask = i % 4 ? UINT32_MAX : 5, .user = &rays[i]};
+        rays[i].filter.skip = i % 3 ? (const uint32_t *)&rays[i].number : NULL;
+        rays[i].filter.accepts = i % 5 ? accepts : NULL;
+    }
+    OK(CALL(closest_n)(scene, &rays[0].ray, stride, RAYS, &rays[0].filter, stride, &rays[0].hit, stride, flags));
+    OK(CALL(any_n)(scene, &rays[0].ray, stride, RAYS, &rays[0].filter, stride, &rays[0].is_hit, stride, flags));
+    size_t hits = 0;
+    for (int i = 0; i < RAYS; i++) {
+        hits += check_filtered(scene, &rays[i]);
+    }
+    CHECK(hits > RAYS);
+    const filter_t one = {.mask = 3, .accepts = accepts_any_ray}, none = {.mask = 0};
+    OK(CALL(closest_n)(scene, &rays[0].ray, stride, RAYS, &one, 0, &rays[0].hit, stride, flags));
+    OK(CALL(any_n)(scene, &rays[0].ray, stride, RAYS, &none, 0, &rays[0].is_hit, stride, flags));
+    for (int i = 0; i < RAYS; i++) {
+        const size_t count = keep(all(&rays[i].ray), &one);
+        CHECK(count > 0 ? equals(&rays[i].hit, &found[0]) : rays[i].hit.face == STACKLESS_NO_FACE);
+        CHECK(!rays[i].is_hit);
+    }
 }
 
 static scene_t *soup(uint32_t quality, uint32_t threads)
@@ -180,6 +264,19 @@ static void check_cube(void)
     CHECK(nears[0].distance == half && nears[0].point[0] == 1 && nears[0].face == 2);
     CHECK(nears[1].distance == 0 && nears[3].distance == 0);
     CHECK(nears[2].face == STACKLESS_NO_FACE && isinf(nears[2].distance) && isnan(nears[2].point[0]));
+    const real beside[3] = {half, 0, 1};
+    size_t nearest;
+    OK(CALL(nearest_k1)(scene, beside, 1, nears, sizeof nears[0], 5, &nearest));
+    /* Above a face and next to its diagonal; then the side's two faces, and of two at distance 1 the first. */
+    const uint32_t nearest_faces[5] = {10, 11, 3, 2, 5};
+    for (int i = 0; i < 5; i++) {
+        CHECK(nears[i].face == nearest_faces[i] && (i == 0 || nears[i].distance >= nears[i - 1].distance));
+    }
+    CHECK(nearest == 5 && nears[0].distance == 0 && nears[2].distance == half && nears[4].distance == 1);
+    OK(CALL(nearest_k1)(scene, beside, (real)INFINITY, nears, sizeof nears[0], 1, &nearest));
+    CHECK(nearest == 1 && nears[0].face == 10);
+    OK(CALL(nearest_k1)(scene, beside, 1, NULL, 0, 0, &nearest));
+    CHECK(nearest == 0);
     /* Through a corner, an edge, and the diagonal of a side, along which two faces meet. */
     const ray_t through[3] = {{{0, 0, 0}, 0, {1, 1, 1}, (real)INFINITY}, {{3, 1, 0}, 0, {-1, 0, 0}, (real)INFINITY},
                               {{0, 0, 0}, 0, {0, 0, 1}, (real)INFINITY}};
@@ -199,9 +296,70 @@ static void check_cube(void)
     OK(CALL(scene_bounds)(scene, lower, upper));
     CHECK(lower[0] == -2 && lower[2] == 0 && upper[0] == 2 && upper[2] == 4);
     hit_t hit;
-    OK(CALL(closest1)(scene, &through[1], &hit));
+    OK(CALL(closest1)(scene, &through[1], NULL, &hit));
     CHECK(hit.t == 1);
     CHECK(CALL(scene_free)(scene) == STACKLESS_ERROR_NONE);
+}
+
+/* Rays that begin at a point of thirds, on the face z = -1 of the cube, and end on another. */
+static void check_exact(void)
+{
+    scene_t *scene = cube();
+    const ray_t down = {{0, 0, 2}, 0, {(real)0.25, (real)0.125, -3}, 1};
+    const real corner[3] = {-1, -1, -1}, inside[3] = {0, 0, 0};
+    point_t *bottom, *top, *middle, *vertex, *met;
+    hit_t hit;
+    bool is_hit;
+    OK(CALL(closest1)(scene, &down, NULL, &hit));
+    OK(CALL(point_of_hit)(scene, &down, hit.face, &top));
+    const filter_t others = {.mask = UINT32_MAX, .skip = &hit.face};
+    OK(CALL(closest1)(scene, &down, &others, &hit));
+    OK(CALL(point_of_hit)(scene, &down, hit.face, &bottom));
+    OK(CALL(point_new)(inside, &middle));
+    OK(CALL(point_new)(corner, &vertex));
+    const struct { exact_ray_t ray; bool is_hit; } rays[] = {
+        {{bottom, top, {0, 0, 0}, 0, false}, false},
+        {{bottom, top, {0, 0, 0}, 0, true}, true},
+        {{middle, top, {0, 0, 0}, 0, false}, false},
+        {{bottom, vertex, {0, 0, 0}, 0, false}, false},
+        {{middle, vertex, {0, 0, 0}, 0, true}, true},
+        {{bottom, NULL, {1, 2, 3}, (real)INFINITY, false}, true},
+        {{bottom, NULL, {1, 2, -3}, (real)INFINITY, false}, false},
+        {{bottom, NULL, {1, 2, -3}, (real)INFINITY, true}, true},
+        {{bottom, NULL, {0, 0, 1}, 1, false}, false},
+        {{bottom, NULL, {0, 0, 1}, 2, false}, false},
+        {{bottom, NULL, {0, 0, 1}, 2, true}, true},
+        {{bottom, NULL, {0, 0, 1}, 3, false}, true},
+    };
+    for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
+        OK(CALL(exact_any1)(scene, &rays[i].ray, &is_hit));
+        OK(CALL(exact_closest1)(scene, &rays[i].ray, &hit, &met));
+        CHECK(is_hit == rays[i].is_hit && (hit.face != STACKLESS_NO_FACE) == is_hit && (met != NULL) == is_hit);
+        OK(CALL(exact_closest1)(scene, &rays[i].ray, &hit, NULL));
+        CHECK((hit.face != STACKLESS_NO_FACE) == is_hit);
+        OK(CALL(point_free)(met));
+    }
+    OK(CALL(exact_closest1)(scene, &rays[11].ray, &hit, &met));
+    CHECK(hit.t == 2);
+    /* The ray does not need its points, and a point does not need the scene. */
+    OK(CALL(point_free)(bottom));
+    OK(CALL(scene_free)(scene));
+    scene = cube();
+    const exact_ray_t back = {met, NULL, {0, 0, -1}, (real)INFINITY, false};
+    OK(CALL(exact_closest1)(scene, &back, &hit, NULL));
+    CHECK(hit.t == 2);
+    real moved[8][3];
+    for (int i = 0; i < 24; i++) {
+        moved[i / 3][i % 3] = CUBE[i / 3][i % 3] * 2;
+    }
+    OK(CALL(scene_refit)(scene, moved[0], sizeof moved[0], 8));
+    OK(CALL(exact_closest1)(scene, &back, &hit, NULL));
+    CHECK(hit.t == 3);
+    OK(CALL(point_free)(met));
+    OK(CALL(point_free)(top));
+    OK(CALL(point_free)(middle));
+    OK(CALL(point_free)(vertex));
+    OK(CALL(scene_free)(scene));
 }
 
 static void check_saved(const scene_t *scene, const char *file)
@@ -227,7 +385,7 @@ static void *query(void *argument)
 {
     const scene_t *scene = argument;
     hit_t *hits = malloc(RAYS * sizeof *hits);
-    OK(CALL(closest_n)(scene, &rays[0].ray, sizeof rays[0], RAYS, hits, sizeof *hits, STACKLESS_SERIAL));
+    OK(CALL(closest_n)(scene, &rays[0].ray, sizeof rays[0], RAYS, NULL, 0, hits, sizeof *hits, STACKLESS_SERIAL));
     for (int i = 0; i < RAYS; i++) {
         CHECK(memcmp(&hits[i].face, &rays[i].hit.face, sizeof hits[i].face) == 0);
     }
@@ -259,8 +417,10 @@ int main(int count, char **arguments)
             check_saved(scene, arguments[1]);
             check_threads(scene);
         }
+        filters(scene, quality % 2 ? STACKLESS_PARALLEL : STACKLESS_SERIAL);
         OK(CALL(scene_free)(scene));
     }
     check_cube();
+    check_exact();
     return 0;
 }

@@ -19,6 +19,9 @@ typedef CALL(scene) scene_t;
 typedef CALL(ray) ray_t;
 typedef CALL(hit) hit_t;
 typedef CALL(near) near_t;
+typedef CALL(filter) filter_t;
+typedef CALL(point) point_t;
+typedef CALL(exact_ray) exact_ray_t;
 
 /* Ends the program if a condition does not hold. */
 #define CHECK(condition) check((condition), #condition, __FILE__, __LINE__)

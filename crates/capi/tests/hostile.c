@@ -56,13 +56,13 @@ static void single_rays(const scene_t *scene)
 {
     hit_t hit = {0};
     bool is_hit;
-    INVALID("scene: null", CALL(closest1)(NULL, &RAY, &hit));
-    INVALID("ray: null", CALL(closest1)(scene, NULL, &hit));
-    INVALID("hit: null", CALL(closest1)(scene, &RAY, NULL));
-    INVALID("ray: address", CALL(closest1)(scene, MISALIGNED(ray_t), &hit));
-    INVALID("hit: address", CALL(closest1)(scene, &RAY, MISALIGNED(hit_t)));
-    INVALID("scene: null", CALL(any1)(NULL, &RAY, &is_hit));
-    INVALID("is_hit: null", CALL(any1)(scene, &RAY, NULL));
+    INVALID("scene: null", CALL(closest1)(NULL, &RAY, NULL, &hit));
+    INVALID("ray: null", CALL(closest1)(scene, NULL, NULL, &hit));
+    INVALID("hit: null", CALL(closest1)(scene, &RAY, NULL, NULL));
+    INVALID("ray: address", CALL(closest1)(scene, MISALIGNED(ray_t), NULL, &hit));
+    INVALID("hit: address", CALL(closest1)(scene, &RAY, NULL, MISALIGNED(hit_t)));
+    INVALID("scene: null", CALL(any1)(NULL, &RAY, NULL, &is_hit));
+    INVALID("is_hit: null", CALL(any1)(scene, &RAY, NULL, NULL));
     struct { ray_t ray; const char *text; } rays[] = {
         {{{(real)NAN, 0, 0}, 0, {1, 0, 0}, 1}, "ray.origin: [NaN, 0, 0], expected finite"},
         {{{0, 0, 0}, 0, {1, (real)INFINITY, 0}, 1}, "ray.direction: [1, inf, 0], expected finite"},
@@ -73,8 +73,8 @@ static void single_rays(const scene_t *scene)
         {{{0, 0, 0}, 2, {1, 0, 0}, 1}, "ray.tmax: 1, expected at least tmin, 2"},
     };
     for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
-        INVALID(rays[i].text, CALL(closest1)(scene, &rays[i].ray, &hit));
-        INVALID(rays[i].text, CALL(any1)(scene, &rays[i].ray, &is_hit));
+        INVALID(rays[i].text, CALL(closest1)(scene, &rays[i].ray, NULL, &hit));
+        INVALID(rays[i].text, CALL(any1)(scene, &rays[i].ray, NULL, &is_hit));
         /* In the middle of a batch, whatever the threads. */
         ray_t batch[600];
         bool found[600];
@@ -82,7 +82,7 @@ static void single_rays(const scene_t *scene)
             batch[j] = j == 300 || j == 599 ? rays[i].ray : RAY;
         }
         for (uint32_t flags = 0; flags < 2; flags++) {
-            INVALID("rays[300]", CALL(any_n)(scene, batch, sizeof batch[0], 600, found, 1, flags));
+            INVALID("rays[300]", CALL(any_n)(scene, batch, sizeof batch[0], 600, NULL, 0, found, 1, flags));
         }
     }
     hit_t after = {0, 0, 0, STACKLESS_NO_FACE};
@@ -90,6 +90,71 @@ static void single_rays(const scene_t *scene)
     after = (hit_t){(real)NAN, 0, 0, 0};
     INVALID("after: t NaN, face 0", CALL(next1)(scene, &RAY, &after, &hit));
     INVALID("after: null", CALL(next1)(scene, &RAY, NULL, &hit));
+}
+
+static void filters(scene_t *scene)
+{
+    const filter_t filter = {.mask = 1}, misaligned = {.mask = 1, .skip = MISALIGNED(uint32_t)};
+    const ray_t rays[2] = {RAY, RAY};
+    const uint32_t masks[12] = {0};
+    hit_t hits[2];
+    const size_t ray = sizeof(ray_t), hit = sizeof(hit_t);
+    INVALID("filter: address", CALL(closest1)(scene, &RAY, MISALIGNED(filter_t), hits));
+    INVALID("filter.skip: address", CALL(closest1)(scene, &RAY, &misaligned, hits));
+    INVALID("filter.skip: address", CALL(closest_n)(scene, rays, ray, 2, &misaligned, 0, hits, hit, 0));
+    INVALID("filter: address", CALL(closest_n)(scene, rays, ray, 2, MISALIGNED(filter_t), 0, hits, hit, 0));
+    INVALID("stride of filters: 4", CALL(closest_n)(scene, rays, ray, 2, &filter, 4, hits, hit, 0));
+    INVALID("filters: 2 elements", CALL(closest_n)(scene, rays, ray, 2, &filter, SIZE_MAX / 16 * 8, hits, hit, 0));
+    INVALID("masks: null", CALL(scene_set_masks)(scene, NULL, 4, 12));
+    INVALID("stride of masks: 2", CALL(scene_set_masks)(scene, masks, 2, 12));
+    INVALID("face_count: 11, expected 12", CALL(scene_set_masks)(scene, masks, 4, 11));
+    INVALID("scene: null", CALL(scene_set_masks)(NULL, masks, 4, 12));
+    INVALID("face_count", CALL(scene_set_masks)(scene, masks, 4, SIZE_MAX));
+    /* Without a bit no face is seen, and without a filter all are. */
+    OK(CALL(scene_set_masks)(scene, masks, 4, 12));
+    const filter_t all = {.mask = UINT32_MAX};
+    OK(CALL(closest1)(scene, &RAY, &all, hits));
+    CHECK(hits[0].face == STACKLESS_NO_FACE);
+    OK(CALL(closest1)(scene, &RAY, NULL, hits));
+    CHECK(hits[0].face != STACKLESS_NO_FACE);
+}
+
+static void exact(const scene_t *scene)
+{
+    const real bad[3] = {0, (real)NAN, 0}, zero[3] = {0, 0, 0};
+    point_t *point = (point_t *)(void *)aligned;
+    hit_t hit;
+    bool is_hit;
+    INVALID("coordinates: [0, NaN, 0], expected finite", CALL(point_new)(bad, &point));
+    CHECK(point == NULL);
+    INVALID("coordinates: null", CALL(point_new)(NULL, &point));
+    INVALID("point: null", CALL(point_new)(zero, NULL));
+    INVALID("face: 12, expected one of 12", CALL(point_of_hit)(scene, &RAY, 12, &point));
+    INVALID("does not hit face 0", CALL(point_of_hit)(scene, &RAY, 0, &point));
+    INVALID("ray: null", CALL(point_of_hit)(scene, NULL, 0, &point));
+    INVALID("scene: null", CALL(point_of_hit)(NULL, &RAY, 0, &point));
+    OK(CALL(point_free)(NULL));
+    INVALID("point: address", CALL(point_free)(MISALIGNED(point_t)));
+    OK(CALL(point_new)(zero, &point));
+    const struct { exact_ray_t ray; const char *text; } rays[] = {
+        {{NULL, NULL, {1, 0, 0}, 1, false}, "ray.origin: null"},
+        {{MISALIGNED(point_t), NULL, {1, 0, 0}, 1, false}, "ray.origin: address"},
+        {{point, MISALIGNED(point_t), {1, 0, 0}, 1, false}, "ray.target: address"},
+        {{point, point, {1, 0, 0}, 1, false}, "ray.target: the point is the origin"},
+        {{point, NULL, {0, 0, 0}, 1, false}, "ray.direction: [0, 0, 0]"},
+        {{point, NULL, {(real)NAN, 0, 0}, 1, false}, "ray.direction: [NaN, 0, 0]"},
+        {{point, NULL, {1, 0, 0}, -1, true}, "ray.tmax: -1"},
+        {{point, NULL, {1, 0, 0}, (real)NAN, true}, "tmax NaN"},
+    };
+    for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
+        INVALID(rays[i].text, CALL(exact_any1)(scene, &rays[i].ray, &is_hit));
+        INVALID(rays[i].text, CALL(exact_closest1)(scene, &rays[i].ray, &hit, NULL));
+    }
+    const exact_ray_t ray = {point, NULL, {1, 0, 0}, 1, true};
+    INVALID("scene: null", CALL(exact_any1)(NULL, &ray, &is_hit));
+    INVALID("hit: null", CALL(exact_closest1)(scene, &ray, NULL, NULL));
+    INVALID("point: address", CALL(exact_closest1)(scene, &ray, &hit, MISALIGNED(point_t *)));
+    OK(CALL(point_free)(point));
 }
 
 static void batches(const scene_t *scene)
@@ -101,21 +166,21 @@ static void batches(const scene_t *scene)
     uint8_t places[4];
     near_t nears[4];
     const size_t ray = sizeof(ray_t), hit = sizeof(hit_t), align = sizeof(real);
-    OK(CALL(closest_n)(scene, NULL, 0, 0, NULL, 0, STACKLESS_PARALLEL));
-    INVALID("flags: 2", CALL(closest_n)(scene, rays, ray, 4, hits, hit, 2));
-    INVALID("rays: null", CALL(closest_n)(scene, NULL, ray, 4, hits, hit, 0));
-    INVALID("hits: null", CALL(closest_n)(scene, rays, ray, 4, NULL, hit, 0));
-    INVALID("scene: null", CALL(closest_n)(NULL, rays, ray, 4, hits, hit, 0));
-    INVALID("rays: address", CALL(closest_n)(scene, MISALIGNED(ray_t), ray, 4, hits, hit, 0));
+    OK(CALL(closest_n)(scene, NULL, 0, 0, NULL, 0, NULL, 0, STACKLESS_PARALLEL));
+    INVALID("flags: 2", CALL(closest_n)(scene, rays, ray, 4, NULL, 0, hits, hit, 2));
+    INVALID("rays: null", CALL(closest_n)(scene, NULL, ray, 4, NULL, 0, hits, hit, 0));
+    INVALID("hits: null", CALL(closest_n)(scene, rays, ray, 4, NULL, 0, NULL, hit, 0));
+    INVALID("scene: null", CALL(closest_n)(NULL, rays, ray, 4, NULL, 0, hits, hit, 0));
+    INVALID("rays: address", CALL(closest_n)(scene, MISALIGNED(ray_t), ray, 4, NULL, 0, hits, hit, 0));
     const size_t strides[] = {0, 1, align, ray - align, ray + 1, ray + align - 1, SIZE_MAX};
     for (size_t i = 0; i < sizeof strides / sizeof strides[0]; i++) {
-        INVALID("stride of rays", CALL(closest_n)(scene, rays, strides[i], 4, hits, hit, 0));
+        INVALID("stride of rays", CALL(closest_n)(scene, rays, strides[i], 4, NULL, 0, hits, hit, 0));
     }
-    INVALID("stride of hits", CALL(closest_n)(scene, rays, ray, 4, hits, hit - align, 0));
-    INVALID("rays: 4 elements", CALL(closest_n)(scene, rays, SIZE_MAX / 4 / 8 * 8 + 8, 4, hits, hit, 0));
-    INVALID("elements", CALL(closest_n)(scene, rays, ray, SIZE_MAX, hits, hit, 0));
-    INVALID("elements", CALL(any_n)(scene, rays, ray, SIZE_MAX / ray, found, 1, STACKLESS_PARALLEL));
-    INVALID("stride of is_hit: 0", CALL(any_n)(scene, rays, ray, 4, found, 0, 0));
+    INVALID("stride of hits", CALL(closest_n)(scene, rays, ray, 4, NULL, 0, hits, hit - align, 0));
+    INVALID("rays: 4 elements", CALL(closest_n)(scene, rays, SIZE_MAX / 4 / 8 * 8 + 8, 4, NULL, 0, hits, hit, 0));
+    INVALID("elements", CALL(closest_n)(scene, rays, ray, SIZE_MAX, NULL, 0, hits, hit, 0));
+    INVALID("elements", CALL(any_n)(scene, rays, ray, SIZE_MAX / ray, NULL, 0, found, 1, STACKLESS_PARALLEL));
+    INVALID("stride of is_hit: 0", CALL(any_n)(scene, rays, ray, 4, NULL, 0, found, 0, 0));
     INVALID("stride of crossings: 2", CALL(crossings_n)(scene, rays, ray, 4, counts, 2, 0));
     real points[4][3] = {{0}};
     INVALID("rule: 3", CALL(locate_n)(scene, points[0], VERTEX, 4, 3, places, 1, 0));
@@ -127,7 +192,13 @@ static void batches(const scene_t *scene)
     INVALID("radius: -1", CALL(nearest_n)(scene, points[0], VERTEX, 4, -1, nears, sizeof nears[0], 0));
     INVALID("radius: NaN",
             CALL(nearest_n)(scene, points[0], VERTEX, 4, (real)NAN, nears, sizeof nears[0], 0));
+    size_t count;
+    INVALID("radius: -1", CALL(nearest_k1)(scene, points[0], -1, nears, sizeof nears[0], 4, &count));
+    INVALID("stride of nears", CALL(nearest_k1)(scene, points[0], 1, nears, 1, 4, &count));
+    INVALID("count: null", CALL(nearest_k1)(scene, points[0], 1, nears, sizeof nears[0], 4, NULL));
+    INVALID("nears: ", CALL(nearest_k1)(scene, points[0], 1, nears, sizeof nears[0], SIZE_MAX, &count));
     points[2][1] = (real)NAN;
+    INVALID("point: [0, NaN, 0]", CALL(nearest_k1)(scene, points[2], 1, nears, sizeof nears[0], 4, &count));
     INVALID("points[2]: [0, NaN, 0]", CALL(locate_n)(scene, points[0], VERTEX, 4, 0, places, 1, 0));
     INVALID("points[2]: [0, NaN, 0]",
             CALL(signed_distances_n)(scene, points[0], VERTEX, 4, 0, distances, sizeof(real), 0));
@@ -140,15 +211,15 @@ static void small_buffers(const scene_t *scene)
 {
     const ray_t ray = {{0, 0, -3}, 0, {0, 0, 1}, (real)INFINITY};
     size_t count = 0, size = 0;
-    OK(CALL(all1)(scene, &ray, NULL, 0, 0, &count));
+    OK(CALL(all1)(scene, &ray, NULL, NULL, 0, 0, &count));
     CHECK(count == 4);
     for (size_t capacity = 1; capacity <= 5; capacity++) {
         hit_t *hits = malloc(capacity * sizeof *hits);
-        OK(CALL(all1)(scene, &ray, hits, sizeof *hits, capacity, &count));
+        OK(CALL(all1)(scene, &ray, NULL, hits, sizeof *hits, capacity, &count));
         CHECK(count == 4 && hits[0].t == 2 && hits[capacity < 4 ? capacity - 1 : 3].face < 12);
         free(hits);
     }
-    INVALID("count: null", CALL(all1)(scene, &ray, NULL, 0, 0, NULL));
+    INVALID("count: null", CALL(all1)(scene, &ray, NULL, NULL, 0, 0, NULL));
     OK(CALL(scene_to_bytes)(scene, NULL, 0, &size));
     for (size_t capacity = 0; capacity <= size; capacity += size / 4) {
         uint8_t *bytes = malloc(capacity + 1), *all = malloc(size);
@@ -216,7 +287,7 @@ static void meshes(void)
     bad[7][2] = (real)INFINITY;
     INVALID("vertices[7]: [0, 0, inf]", CALL(scene_refit)(scene, bad[0], VERTEX, 8));
     hit_t hit;
-    OK(CALL(closest1)(scene, &RAY, &hit));
+    OK(CALL(closest1)(scene, &RAY, NULL, &hit));
     CHECK(hit.t == 1);
     OK(CALL(scene_counts)(scene, NULL, NULL));
     INVALID("scene: null", CALL(scene_counts)(NULL, NULL, NULL));
@@ -253,11 +324,11 @@ static void roundings(scene_t *scene)
     hit_t hit;
     scene_t *other;
     CHECK(fesetround(FE_UPWARD) == 0);
-    REFUSED(FLOAT_ENVIRONMENT, "round to the nearest", CALL(closest1)(scene, &RAY, &hit));
-    REFUSED(FLOAT_ENVIRONMENT, "", CALL(closest_n)(scene, &RAY, sizeof RAY, 1, &hit, sizeof hit, 0));
+    REFUSED(FLOAT_ENVIRONMENT, "round to the nearest", CALL(closest1)(scene, &RAY, NULL, &hit));
+    REFUSED(FLOAT_ENVIRONMENT, "", CALL(closest_n)(scene, &RAY, sizeof RAY, 1, NULL, 0, &hit, sizeof hit, 0));
     REFUSED(FLOAT_ENVIRONMENT, "", CALL(scene_new)(V, VERTEX, 8, F, FACE, 12, NULL, &other));
     CHECK(fesetround(FE_TONEAREST) == 0);
-    OK(CALL(closest1)(scene, &RAY, &hit));
+    OK(CALL(closest1)(scene, &RAY, NULL, &hit));
 }
 
 int main(int count, char **arguments)
@@ -267,6 +338,8 @@ int main(int count, char **arguments)
     builds();
     single_rays(scene);
     batches(scene);
+    filters(scene);
+    exact(scene);
     small_buffers(scene);
     garbage(scene, arguments[1]);
     meshes();

@@ -67,6 +67,22 @@ template <class Real> static void run(const std::string& file)
     CHECK(distances[0] > -0.58 && distances[0] < -0.57 && distances[1] > 13 && distances[2] == 0);
     const auto nears = made.nearest_n(points, 2);
     CHECK(nears[2].distance == 0 && nears[2].face == 0 && nears[1].face == STACKLESS_NO_FACE);
+    CHECK(made.nearest_k({1, 1, 1}, infinity, 9).size() == 4 && made.nearest_k({1, 1, 1}, infinity, 2)[1].distance == 1);
+
+    made.set_masks({1, 2, 4, 8});
+    const auto is_far = [](const ray&, const typename scene::hit& hit) { return hit.t > 2; };
+    const auto far = scene::accepting(is_far), no_sides = scene::accepting(is_far, 7);
+    CHECK(made.closest(up, &far)->t == 3 && made.all(up, &far).size() == 1 && made.any(up, &far));
+    CHECK(!made.any(up, &no_sides) && made.closest_n(rays, stackless::threads::all, &far)[2].t == 3);
+    CHECK((made.any_n(rays, stackless::threads::all, &no_sides) == std::vector<std::uint8_t>{0, 0, 0}));
+
+    const auto bottom = made.point_of_hit(up, 0);
+    const auto side = made.exact_closest({bottom.get(), nullptr, {0, 0, 1}, infinity, false});
+    CHECK(side->found.t == 2 && side->found.face == 3);
+    CHECK(!made.exact_any({bottom.get(), side->point.get(), {}, 0, false}));
+    CHECK(!made.exact_closest({side->point.get(), nullptr, {0, 0, 1}, infinity, false}));
+    CHECK(made.exact_any({stackless::exact_point<Real>({1, 1, 1}).get(), bottom.get(), {}, 0, true}));
+
     // More hits than the first buffer holds.
     const std::vector<std::array<std::uint32_t, 3>> many(100, faces[0]);
     CHECK(scene(vertices, many).all(up).size() == 100);

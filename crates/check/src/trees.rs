@@ -11,7 +11,8 @@ use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{RBig, round_root, square_distance};
 use stackless_bvh::geom::{Ball, BallError, Mesh, MeshError, Ray, Triangle, Vector};
 use stackless_bvh::trace::{
-    AllHitsQuery, BinaryTracer, Hit, MeshQueries, Near, NodeSearch, OwnBoxes, Query, RayQueries, Tracer, Truth,
+    AllHitsQuery, BinaryTracer, Filter, Filterable, Hit, MeshQueries, Near, NodeSearch, OwnBoxes, Query, RayQueries,
+    Tracer, Truth,
 };
 use stackless_bvh::traverse::{Method, Tables, Unsupported, WordName};
 use stackless_bvh::tree::Topology;
@@ -65,7 +66,8 @@ pub enum TreeFault {
 }
 
 /// Checks that two hierarchies are sound and those of the mesh, and that by `hashed` in the binary one and in the wide one the
-/// closest hit, any hit and all hits of each ray are those of rational arithmetic, in every bit. `[DET-1]`
+/// closest hit, any hit and all hits of each ray are those of rational arithmetic, in every bit, also of filtered tracers.
+/// `[DET-1]` `[FILTER-1]`
 ///
 /// Returns the number of rays that hit.
 ///
@@ -111,6 +113,8 @@ fn check_rays<V: Precision>(
         tables.run_query(word, Method::Hashed, 0, &mut memory, query).map_err(TreeFault::Unsupported)
     };
     let tracer = Tracer::new(wide);
+    let binary =
+        BinaryTracer::<_, V::Exact, V::Slabs>::with_tests(bvh, Method::Hashed).map_err(TreeFault::Unsupported)?;
     let (in_turns, in_turns_any) = (tracer.closest_each(rays), tracer.any_each(rays));
     let (truth, mut hits) = (Truth::new(mesh), 0);
     for (number, ray) in rays.iter().enumerate() {
@@ -139,9 +143,45 @@ fn check_rays<V: Precision>(
         compare(number, "any hit in a wide tree", &[!expected.is_empty(); 3], &any)?;
         let all: Vec<_> = tracer.all(ray).iter().map(bits).collect();
         compare(number, "all hits in a wide tree", &expected, &all)?;
+        check_filtered(&tracer, ray, number, &expected)?;
+        check_filtered(&binary, ray, number, &expected)?;
         hits += usize::from(!expected.is_empty());
     }
     Ok(hits)
+}
+
+/// Checks the accepted hits of a ray, for filters that depend on its number. `[FILTER-1]`
+fn check_filtered<V: Vector>(
+    tracer: &impl Filterable<V>,
+    ray: &Ray<V>,
+    number: usize,
+    all: &[Bits],
+) -> Result<(), TreeFault> {
+    let accepts_triangle = |prim: u32| prim as usize % 3 != number % 4;
+    let accepts_hit = |hit: &Hit<V::Real>| hit.u.into() <= [0.2, 0.6, 1.0][number % 3];
+    let (by_triangle, by_hit) = (Filter::ALL.triangles(&accepts_triangle), Filter::ALL.hits(&accepts_hit));
+    for (filter, has) in
+        [(by_triangle, [true, false]), (by_hit, [false, true]), (by_triangle.hits(&accepts_hit), [true; 2])]
+    {
+        let is_accepted = |&&(prim, [_, u, _]): &&Bits| {
+            (!has[0] || accepts_triangle(prim)) && (!has[1] || f64::from_bits(u) <= [0.2, 0.6, 1.0][number % 3])
+        };
+        let expected: Vec<_> = all.iter().filter(is_accepted).copied().collect();
+        let tracer = tracer.filtered(filter);
+        let hits: Vec<_> = tracer.all(ray).iter().map(bits).collect();
+        compare(number, "all accepted hits", &expected, &hits)?;
+        compare(
+            number,
+            "the closest accepted hit",
+            &expected.first(),
+            &tracer.closest(ray).as_ref().map(bits).as_ref(),
+        )?;
+        let any = tracer.any_hit(ray).as_ref().map(bits);
+        let is_right =
+            any.map_or(expected.is_empty(), |any| expected.contains(&any)) && tracer.any(ray) == any.is_some();
+        compare(number, "whether any hit is an accepted one", &true, &is_right)?;
+    }
+    Ok(())
 }
 
 /// Checks that the `k` triangles nearest to a point are those of rational arithmetic, with the points of each that are
@@ -219,7 +259,9 @@ fn distances<V: Vector>(nears: &[Near<V>]) -> Vec<(f64, u32)> {
 }
 
 /// Primitive, and distance and weights by their bits.
-fn bits<R: Copy + Into<f64>>(hit: &Hit<R>) -> (u32, [u64; 3]) {
+type Bits = (u32, [u64; 3]);
+
+fn bits<R: Copy + Into<f64>>(hit: &Hit<R>) -> Bits {
     (hit.prim, [hit.t, hit.u, hit.v].map(|x| x.into().to_bits()))
 }
 

@@ -12,6 +12,7 @@ use crate::geom::lanes::{BoxPoint, Hits as _, LaneSet, NodeBoxes as _, Precision
 use crate::geom::{Ray, Triangle};
 use crate::order::Flow;
 use crate::trace::counters::WideCounters;
+use crate::trace::filter::FilteredQuery;
 use crate::trace::leaf_primitives::LeafFilter;
 use crate::trace::nearest::Around;
 use crate::trace::prepared_ray::PreparedRay;
@@ -214,6 +215,20 @@ impl<V: Precision> Around<'_, WideBvh<8, V>, V> {
         let distance = |slot: u32| self.measure().out_of_frame(ranks[slot as usize] + LEAST);
         slots.clone().all(|slot| self.is_about_limit(distance(slot), OFF))
             && slots.all(|slot| self.is_settled(self.to_box(&record.child_box(slot)), record.child(slot)))
+    }
+}
+
+impl<S: Simd, V: Precision> Query for FilteredQuery<'_, V::Exact, LaneRay<S, V>, WideBvh<8, V>> {
+    fn ask(&mut self, node: Node) -> Wanted<[u32; 8]> {
+        self.pending().map_or(Nothing.ask(node), |cast| cast.ask(node))
+    }
+
+    fn leaf(&mut self, leaf: Node) {
+        self.meet(leaf);
+    }
+
+    fn end(&self) -> f32 {
+        self.pending().map_or(0.0, WidePreparedRay::box_end)
     }
 }
 
