@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::wide::Method as WideMethod;
 use stackless_suite::{
-    Answer, Ask, Expect, Flaw, Hello, Implementation, Level, Library, Limits, Suite, SuiteCase, Traversal, WideLimits,
+    Answer, Ask, Flaw, Hello, Implementation, Level, Library, Limits, Profile, Suite, SuiteCase, Traversal, WideLimits,
     Withdrawn, author, judge,
 };
 
@@ -17,8 +17,12 @@ use stackless_suite::{
 mod adapters;
 #[path = "suite/foreign.rs"]
 mod foreign;
+#[path = "suite/hostile.rs"]
+mod hostile;
 #[path = "suite/imports.rs"]
 mod imports;
+#[path = "suite/mistakes.rs"]
+mod mistakes;
 #[path = "suite/report.rs"]
 mod report;
 #[path = "suite/runner.rs"]
@@ -26,6 +30,15 @@ mod runner;
 
 /// The suite, which takes seconds to make.
 static SUITE: LazyLock<Suite> = LazyLock::new(author::suite);
+
+/// The cases with such ids.
+fn suite_of(is_wanted: impl Fn(&str) -> bool) -> Suite {
+    let of = |profile: &Profile| {
+        let cases = profile.cases.iter().filter(|case| is_wanted(&case.id)).cloned().collect();
+        Profile { suite: profile.suite.clone(), level: profile.level, profile: profile.profile.clone(), cases }
+    };
+    Suite { profiles: SUITE.profiles.iter().map(of).filter(|profile| !profile.cases.is_empty()).collect() }
+}
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite")
@@ -53,8 +66,7 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     let suite = &*SUITE;
     let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
     let rows: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
-    let has_hits =
-        |case: &&SuiteCase| case.id.starts_with("ray/") && matches!(case.expect, Expect::Result(_) | Expect::Near(_));
+    let has_hits = |case: &&SuiteCase| case.id.starts_with("ray/") && !case.id.starts_with("ray/invalid/");
     let cases: Vec<_> =
         suite.cases().map(|(_, case)| case).filter(has_hits).map(|case| &case.id["ray/".len()..]).collect();
     assert_eq!(BTreeSet::from_iter(rows), BTreeSet::from_iter(cases));
@@ -160,6 +172,29 @@ fn only_slots_that_are_carried_are_asked_for() {
         assert_eq!(some.asks_for(profile, case), slots == 8, "{}", case.id);
     }
     assert!(asked.keys().eq(["2", "4", "8"]) && asked.values().all(|&count| count > 100), "{asked:?}");
+}
+
+/// Key 2 with trail 3 would have the node on the path pending too. `[WIDE-10]`
+#[test]
+fn a_wide_state_that_is_none_is_rejected() {
+    let mut library = Library::default();
+    let mut taken_up = |key: &str, trail: &str| {
+        let input = serde_json::json!({
+            "op": "resume-wide", "slots": 2, "children": [[1, 2], null, null], "ranks": [[0, 1], null, null],
+            "key": key, "trail": trail, "next": "visit"
+        });
+        library.answer(Level::Resume, "wide", input.as_object().unwrap())
+    };
+    assert!(matches!(taken_up("2", "2"), Answer::Result(_)));
+    for (key, trail, code) in [
+        ("2", "3", "trail"),
+        ("2", "8", "trail"),
+        ("1", "1", "trail"),
+        ("4", "0", "no-such-node"),
+        ("0", "0", "no-such-node"),
+    ] {
+        assert_eq!(taken_up(key, trail), Answer::Reject(code.to_owned()), "{key} {trail}");
+    }
 }
 
 /// `[REGISTER-1]`
