@@ -145,7 +145,7 @@ pub(super) fn exact(author: &mut Author) {
     let down = |x: f32, y: f32| ray(Vec3::new(x, y, 1.0), -Vec3::Z, WHOLE);
     let why = "A triangle of 2^-15 is one: no area is too small.";
     let inside = [[0.0, 0.0], [1.0, 1.0], [-1.0, 0.0]].map(|[x, y]| down(x * power(-18), y * power(-18)));
-    both("small", why, &scaled(&small, Vec3::splat(power(-18))), &inside);
+    both("triangle-2^-15", why, &scaled(&small, Vec3::splat(power(-18))), &inside);
     let unit = flat([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
     let beside = |by: f32| [down(-by, 0.25), down(0.25, -by), down(0.5 + by, 0.5), down(0.5, 0.5 + by)];
     let why = "Rays 2^-22 outside of each edge miss; those as far inside hit.";

@@ -244,7 +244,7 @@ const OF_RAYS: [Mistake; 27] = [
         "[whole(floats(' '.join(it[:-1] + '0' for it in vertex.split()))) for",
         "ray/ulp-8/full",
     ),
-    ("if det == 0 or min", "if abs(det) < 1e-8 * 2**447 or min", "ray/exact/small"),
+    ("if det == 0 or min", "if abs(det) < 1e-8 * 2**447 or min", "ray/exact/triangle-2^-15"),
     (EDGES, "min(u, v, w) * 10**6 < -abs(det) and max(u, v, w) * 10**6 > abs(det)", "ray/exact/beside-edges"),
     (
         MEET,
