@@ -81,7 +81,7 @@ const NOT_IN_TABLE: [&str; 21] = [
     "ulp-256/ends",
     "ulp-256/tiny",
     "ulp-256/huge",
-    "exact/box-",
+    "exact/slab-",
     "exact/beside-edges",
     "exact/triangle-2^-15",
 ];

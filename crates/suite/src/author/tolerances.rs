@@ -126,10 +126,10 @@ pub(super) fn exact(author: &mut Author) {
     let far = flat([[3e38, -1.0, -1.0], [3e38, 3.0, -1.0], [3e38, -1.0, 3.0]]);
     let why =
         "From one end of the range to the other: the difference of box and origin is no float, the distance is 6.";
-    both("box-overflow", why, &far, &[[-3e38, 0.5, 0.5, 1e38, 0.0, 0.0, 0.0, 10.0]]);
+    both("slab-overflow", why, &far, &[[-3e38, 0.5, 0.5, 1e38, 0.0, 0.0, 0.0, 10.0]]);
     let corner = flat([[187.0, -1011.0, 459.0], [180.0, -1019.0, 459.0], [187.0, -1019.0, 451.0]]);
     let why = "The interval ends at the nearest corner of the box, which is the triangle's: 3, if it is not rounded.";
-    both("box-at-end", why, &corner, &[[196.0, -1005.0, 471.0, -3.0, -2.0, -4.0, 0.0, 3.0]]);
+    both("slab-at-end", why, &corner, &[[196.0, -1005.0, 471.0, -3.0, -2.0, -4.0, 0.0, 3.0]]);
     let mut vertices = Vec::new();
     let mut rays = Vec::new();
     for (i, k) in (0..RAYS).zip([1, 3, 5, 7, 9, 11, 13, 15, 19, 23, 29, 31, 37, 43, 47, 53]) {
@@ -140,7 +140,7 @@ pub(super) fn exact(author: &mut Author) {
     let triangles = (0..RAYS as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let why =
         "Along (1, 41, 0), of which 1/41 is no float, onto the corner of a triangle and its box, and nowhere else.";
-    both("box-corner", why, &Mesh { vertices, triangles }, &rays);
+    both("slab-corner", why, &Mesh { vertices, triangles }, &rays);
     let small = flat([[-3.0, -1.0, 0.0], [4.0, -2.0, 1.0], [1.0, 5.0, -1.0]]);
     let down = |x: f32, y: f32| ray(Vec3::new(x, y, 1.0), -Vec3::Z, WHOLE);
     let why = "A triangle of 2^-15 is one: no area is too small.";

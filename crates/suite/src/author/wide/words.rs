@@ -69,7 +69,7 @@ pub(super) fn words(author: &mut Author) {
             case(&format!("summary-{level}"), why, None, false, &spine(level, 0, &format!("( 0 {below} 8 )")));
         }
     }
-    for levels in [5, 7, 10, 12, 14, 16, 20] {
+    for levels in [7, 10, 12, 16, 20] {
         let why = "Seven children of each level are pending at the bottom: a stack of fixed size is full.";
         let text = format!("{}( 0 ){}", "( 0 ".repeat(levels), " 8 8 8 8 8 8 8 )".repeat(levels));
         traced(author, &format!("stack-{levels}"), why, parsed(8, &text));
