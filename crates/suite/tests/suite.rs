@@ -176,6 +176,7 @@ fn this_library_conforms_on_wide_trees() {
         let least = |profile: &str| match profile {
             "trace/wide" => 250,
             "resume/wide" => 90,
+            "hash/wide-deep" => 9,
             _ => 10,
         };
         let restarts = hello.name.starts_with("wide-restart");

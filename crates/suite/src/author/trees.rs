@@ -154,7 +154,7 @@ pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 9] {
         }),
         ("float-beyond", "A hit at 2^24, and what is entered at 2^24 + 1, the same float, is beyond it.", {
             let five = vec![Some([1, 2]), None, Some([3, 4]), None, None];
-            let late = || node(false, FLOAT + 1, Some(FLOAT));
+            let late = || node(false, FLOAT + 1, None);
             scene(&five, vec![node(false, 0, None), hit_at(FLOAT), node(false, 1, None), late(), late()])
         }),
     ]
