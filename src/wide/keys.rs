@@ -51,18 +51,20 @@ pub const fn key_level<const A: usize>(key: u64) -> u32 {
 /// Returns the keys that a traversal can look up when it backtracks, with their nodes: those of the nodes with an inner
 /// child and at least one other child. `[WIDE-16]`
 ///
-/// Linear time, no recursion. The tree's keys must fit 64 bits: at most 63 / log2 A levels.
-pub fn asked_keys<const A: usize>(tree: &impl Topology<A>) -> Vec<(u64, Node)> {
+/// Linear time, no recursion. The tree's keys must fit the word: in 64 bits, at most 63 / log2 A levels.
+pub fn asked_keys<const A: usize, W: Word>(tree: &impl Topology<A>) -> Vec<(W, Node)> {
     let mut keys = Vec::new();
-    let mut open = vec![(1_u64, tree.root())];
+    let mut open = vec![(W::one(), tree.root())];
     while let Some((key, node)) = open.pop() {
         let (children, leaves) = (tree.children(node), tree.leaves(node));
         let inner = children & !leaves;
         if inner != 0 && children.count_ones() > 1 {
-            keys.push((key, node));
+            keys.push((key.clone(), node));
         }
-        let slots = (0..A as u32).filter(|slot| inner >> slot & 1 == 1);
-        open.extend(slots.map(|slot| (child_key::<A, u64>(key, u64::from(slot)), tree.child(node, slot))));
+        for slot in (0..A as u32).filter(|slot| inner >> slot & 1 == 1) {
+            let word = (0..slot).fold(W::zero(), |word, _| word.wrapping_add(&W::one()));
+            open.push((child_key::<A, W>(key.clone(), word), tree.child(node, slot)));
+        }
     }
     keys
 }

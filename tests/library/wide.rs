@@ -330,7 +330,7 @@ fn the_hash_has_the_keys_that_are_asked_for_and_no_others() {
         if tree.levels() > 21 {
             continue;
         }
-        let keys = asked_keys(&tree);
+        let keys = asked_keys::<8, u64>(&tree);
         let tables = Tables::new(&tree);
         let noted = Noted(tables.hash().unwrap(), std::cell::RefCell::default());
         let cursor = Pending::new(&tree, Ranked::default(), Hashed::new(&noted)).unwrap();

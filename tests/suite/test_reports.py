@@ -114,7 +114,10 @@ def test_a_failure_says_what_to_do(tmp_path):
     status, text, _ = run("python", mangled("one-event-less"), tmp_path, filters=["trace/script/three*"])
     assert status == 1
     alone = f"  alone: python3 {SUITE / 'conform.py'} --filter 'trace/script/"
-    for said in ("  why: ", "  clauses ", alone, "stackless explain --suite-case 'trace/"):
+    for said in ("  why: ", "  clauses ", alone, "stackless explain --suite-case 'trace/", "    1 node 0: ", "received"):
+        assert said in text, text
+    _, text, _ = run("python", mangled("t-257-ulp"), tmp_path, filters=["ray/grid/inside-0"])
+    for said in ("    # OBJ\n    v ", "    # ray ", "prim 0, t 4 (40800000)"):
         assert said in text, text
 
 

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -151,7 +152,7 @@ def test_the_skeletons_conform(runner, tmp_path):
     for command in ([str(program)], [need("node"), str(SUITE / "adapters/skeleton.mjs")]):
         status, text, report = run(runner, command, tmp_path, filters=["*"])
         passed = sum(case["outcome"] == "pass" for case in report["cases"])
-        assert (status, passed) == (0, 277), text
+        assert (status, passed) == (0, 285), text
 
 
 def is_gone(pid):
@@ -177,14 +178,15 @@ def test_the_runner_in_python_is_not_fooled(tmp_path):
     assert run("python", orphan, tmp_path, filters=["key/u32/child-*"])[0] == 0
     assert is_gone(pids.read_text().strip())
     # Who is ended takes the program along.
-    pids.unlink()
-    command = [*NAMES["python"], "--", "sh", "-c", f"echo $$ > {pids}; sleep 1000"]
-    with subprocess.Popen(command, stderr=subprocess.DEVNULL) as runner:
-        while not (pids.exists() and pids.read_text().strip()):
-            time.sleep(0.01)
-        runner.terminate()
-        assert runner.wait(20) == 143
-    assert is_gone(pids.read_text().strip())
+    for end in (signal.SIGTERM, signal.SIGHUP):
+        pids.unlink()
+        command = [*NAMES["python"], "--", "sh", "-c", f"echo $$ > {pids}; sleep 1000"]
+        with subprocess.Popen(command, stderr=subprocess.DEVNULL) as runner:
+            while not (pids.exists() and pids.read_text().strip()):
+                time.sleep(0.01)
+            runner.send_signal(end)
+            assert runner.wait(20) == 128 + end
+        assert is_gone(pids.read_text().strip())
     waivers = tmp_path / "waivers.json"
     for id, expected in (("key/u32/*", 0), ("key/u32/child-left-root", 1)):
         waivers.write_text(json.dumps([{"id": id, "reason": "known"}]))

@@ -139,7 +139,13 @@ fn print(report: &Report, args: &Args, took: Duration) {
     let advised =
         report.verdicts.iter().filter(|verdict| verdict.strength == Strength::May && verdict.outcome.is_bad()).count();
     let advised = if advised > 0 { format!("; {advised} of the failed are only advised") } else { String::new() };
-    let verdict = if report.is_conforming() { "conforms in what it names" } else { "does not conform" };
+    let is_whole = args.level.is_none() && args.filter.is_empty();
+    let verdict = match (report.is_conforming(), is_whole) {
+        (true, true) => "conforms in what it names",
+        // Nobody knows of the other cases.
+        (true, false) => "passes what was chosen",
+        (false, _) => "does not conform",
+    };
     say!(
         "{name} {version} {verdict} (suite {VERSION}): {} of {} cases passed, {} failed, {} not asked, {} waived, {:.1} s{advised}",
         grouped(report.count("pass") as u64),
@@ -151,11 +157,15 @@ fn print(report: &Report, args: &Args, took: Duration) {
     );
     let bad = report.failures();
     for verdict in bad.iter().take(args.show) {
-        let CaseResult { id, clauses, outcome, waived, why, .. } = verdict;
+        let CaseResult { id, outcome, waived, why, .. } = verdict;
         if let Some(reason) = waived {
             say!("{id}: waived ({reason}), and passes: the waiver is not needed any more");
         } else {
-            say!("{id}: {}: {outcome}\n  why: {why}\n  clauses {}", outcome.name(), clauses.join(", "));
+            say!(
+                "{id}: {}: {outcome}\n  why: {why}\n  clauses {}",
+                outcome.name(),
+                verdict.clauses_for(&report.hello).join(", ")
+            );
         }
         say!("  alone: stackless conform --filter '{id}' -- {}", args.command.join(" "));
         if let Some(command) = verdict.explained_by() {

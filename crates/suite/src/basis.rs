@@ -1,7 +1,7 @@
 //! Which profile shows a mistake sooner than another one.
 
 /// Profiles, each with those that it rests on: where both fail, the mistake is most often in the latter.
-const BASES: [(&str, &[&str]); 24] = [
+const BASES: [(&str, &[&str]); 25] = [
     ("hash/lookup", &["hash/function", "hash/address"]),
     ("hash/build", &["hash/function", "hash/keys", "hash/lookup"]),
     ("hash/build-deep", &["hash/fold", "hash/build"]),
@@ -26,6 +26,7 @@ const BASES: [(&str, &[&str]); 24] = [
     ("ray/ulp-8", &["ray/ulp-256"]),
     ("ray/invalid", &["ray/grid"]),
     ("hash/wide", &["trace/wide"]),
+    ("hash/wide-deep", &["hash/wide"]),
 ];
 
 /// The profiles that one rests on, the most basic first.

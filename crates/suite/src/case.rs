@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 use stackless_bvh::name::named;
 
 /// Version of the suite, as in `spec/suite/VERSION`.
-pub const VERSION: &str = "2.0.0";
+pub const VERSION: &str = "2.1.0";
 
 /// What a case is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]

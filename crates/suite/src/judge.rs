@@ -7,7 +7,7 @@ use serde_json::{Map, Value};
 use super::ask::{Ask, Build};
 use super::author::{depth_if_tree, folds, keys_of, levels_if_tree};
 use super::bits::Bits;
-use super::text::Shown;
+use super::text::{Shown, parse_floats};
 use super::{Answer, Expect, Feature, Hello, Near, NearHit, SuiteCase};
 
 /// What is wrong with an answer. In words, what is long is cut.
@@ -175,7 +175,7 @@ fn judge_near(near: &Near, result: &Map<String, Value>) -> Result<(), Flaw> {
     }
     let found = result.get("hits").and_then(Value::as_array).ok_or_else(|| Flaw::Missing("hits".to_owned()))?;
     let is_near = |expected: &NearHit, found: &Map<String, Value>| {
-        let place = |text: &str| u32::from_str_radix(text, 16).ok().filter(|_| text.len() == 8);
+        let place = |text: &str| parse_floats(text).map(|[t]: [f32; 1]| t.to_bits());
         let prim = found.get("prim").and_then(Value::as_u64);
         let off = place(&expected.t).zip(found.get("t").and_then(Value::as_str).and_then(place));
         prim.is_some_and(|prim| expected.prims.iter().any(|&one| u64::from(one) == prim))

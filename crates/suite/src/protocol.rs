@@ -2,10 +2,11 @@
 
 use std::io::{self, BufRead, Write};
 
+use serde::de::Error as _;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::text::{object, read_line};
+use super::text::{object, parse, read_line};
 use super::{Feature, Level, Profile, SuiteCase};
 
 /// Version of the protocol.
@@ -41,6 +42,20 @@ pub struct Hello {
 }
 
 impl Hello {
+    /// Reads a line, as `schema/hello.json` has it.
+    pub(super) fn parse(line: &str) -> serde_json::Result<Self> {
+        let hello = parse(line)?;
+        let limits = hello.get("limits");
+        let wide = limits.and_then(|limits| limits.get("wide"));
+        let objects: Option<Vec<_>> =
+            [Some(&hello), limits, wide].into_iter().flatten().map(Value::as_object).collect();
+        // What is null was not left out.
+        if objects.is_none_or(|objects| objects[1..].iter().any(|limits| limits.values().any(Value::is_null))) {
+            return Err(serde_json::Error::custom("expected objects, and whole numbers as limits"));
+        }
+        serde_json::from_value(hello)
+    }
+
     /// Whether a case is put to the implementation: it has named the profile, has the features, and carries nodes of so
     /// many slots.
     pub fn asks_for(&self, profile: &Profile, case: &SuiteCase) -> bool {
@@ -100,6 +115,17 @@ pub struct Reply {
     /// What is answered.
     #[serde(flatten)]
     pub answer: Answer,
+}
+
+impl Reply {
+    /// Reads a line, as `schema/reply.json` has it.
+    pub(super) fn parse(line: &str) -> serde_json::Result<Self> {
+        let reply = parse(line)?;
+        if !reply.is_object() {
+            return Err(serde_json::Error::custom("expected an object"));
+        }
+        serde_json::from_value(reply)
+    }
 }
 
 /// A reply as it is written: one of the three is there. Other fields are nobody's.

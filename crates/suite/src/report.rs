@@ -5,7 +5,7 @@ use core::fmt::{self, Write as _};
 use serde::Serialize;
 
 use super::basis::bases;
-use super::{Flaw, Hello, Strength, VERSION, Waiver};
+use super::{Feature, Flaw, Hello, Strength, VERSION, Waiver};
 
 /// What came of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,6 +80,36 @@ impl CaseResult {
         self.id.rsplit_once('/').map_or("", |(profile, _)| profile)
     }
 
+    /// The clauses as a reader needs them: those of the field that differs first, and those of registers only where the
+    /// implementation has named that feature.
+    pub fn clauses_for(&self, hello: &Hello) -> Vec<&str> {
+        const OF_REGISTERS: &[&str] = &["REGISTER-", "UNCLE-", "HASHED-"];
+        let is_of = |clause: &str, names: &[&str]| names.iter().any(|name| clause.starts_with(name));
+        let field = match &self.outcome {
+            Outcome::Fail(Flaw::Differs { at, .. } | Flaw::Missing(at)) => at.split('[').next().unwrap_or(at),
+            _ => "",
+        };
+        let first: &[&str] = match field {
+            "registers" => OF_REGISTERS,
+            "trails" => &["TRAIL-", "WIDE-10"],
+            "counters" => &["TRAIL-6"],
+            _ => &[],
+        };
+        let has_registers = hello.features.contains(&Feature::Registers);
+        let is_kept = |clause: &&str| has_registers || !is_of(clause, OF_REGISTERS) && *clause != "HASH-3";
+        let mut clauses: Vec<_> = self.clauses.iter().map(String::as_str).filter(is_kept).collect();
+        if clauses.is_empty() {
+            clauses.extend(self.clauses.iter().map(String::as_str));
+        }
+        clauses.sort_by_key(|clause| !is_of(clause, first));
+        clauses
+    }
+
+    /// Whether it is one of many that were drawn: of equal size those with a name of their own come first.
+    fn is_drawn(&self) -> bool {
+        self.id.rsplit('-').next().is_some_and(|end| end.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
     /// The command that shows the case step by step, where there is one.
     pub fn explained_by(&self) -> Option<String> {
         let is_walk = self.id.starts_with("trace/") && !self.profile().ends_with("invalid");
@@ -116,7 +146,7 @@ impl Report {
     /// smallest of each, and so on.
     pub fn failures(&self) -> Vec<&CaseResult> {
         let mut failed: Vec<_> = self.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
-        failed.sort_by_key(|verdict| (bases(verdict.profile()).len(), verdict.profile(), verdict.size));
+        failed.sort_by_key(|it| (bases(it.profile()).len(), it.profile(), it.size, it.is_drawn()));
         let profiles = failed.chunk_by(|a, b| a.profile() == b.profile());
         let mut ranked: Vec<_> = profiles.flat_map(|rows| rows.iter().copied().enumerate()).collect();
         ranked.sort_by_key(|&(rank, _)| rank);

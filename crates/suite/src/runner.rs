@@ -126,6 +126,7 @@ impl Runner<'_> {
         let verdicts: Vec<_> = outcomes.enumerate().map(|(i, outcome)| verdict(i, outcome)).collect();
         // After a first failure nobody knows what the others need.
         if !is_over {
+            faults.extend(hello.profiles.iter().filter_map(|profile| not_shown(profile, &verdicts)));
             faults.extend(self.waivers.all().iter().filter_map(|waiver| not_needed(waiver, &verdicts)));
         }
         Ok(Report { hello, verdicts, faults })
@@ -143,7 +144,7 @@ impl Runner<'_> {
             Heard::End => return wrong(process.end()),
             Heard::Silence => return wrong(format!("nothing in {:?}", self.timeout)),
         };
-        match serde_json::from_str::<Hello>(&line) {
+        match Hello::parse(&line) {
             Ok(Hello { name, version, protocol: PROTOCOL, profiles, features, limits }) => {
                 let [name, version] = [name, version].map(|text| Shown(text).to_string());
                 Ok((Hello { protocol: PROTOCOL, name, version, profiles, features, limits }, process))
@@ -168,6 +169,24 @@ fn wrong_names(hello: &Hello, suite: &Suite) -> Vec<String> {
     let twice = hello.profiles.iter().filter(|name| !profiles.insert(*name)).map(|name| Shown(name).to_string());
     let twice_too = hello.features.iter().filter(|feature| !features.insert(**feature)).map(ToString::to_string);
     unknown.chain(twice.chain(twice_too).map(|name| format!("'{name}' is named twice"))).collect()
+}
+
+/// Why nothing can be said of a profile that is named: none of its cases was asked, or those that were only advise, and
+/// failed.
+fn not_shown(profile: &str, verdicts: &[CaseResult]) -> Option<String> {
+    let mut of = verdicts.iter().filter(|verdict| verdict.profile() == profile).peekable();
+    of.peek()?;
+    let asked: Vec<_> = of.filter(|verdict| verdict.outcome != Outcome::NotAsked).collect();
+    let says_nothing = |it: &&CaseResult| it.outcome.is_bad() && it.strength == Strength::May && it.waived.is_none();
+    let name = Shown(profile);
+    if asked.is_empty() {
+        let why = "they need features or limits that were not";
+        Some(format!("{name} is named, and none of its cases was asked: {why}"))
+    } else if asked.iter().all(says_nothing) {
+        Some(format!("{name} is named, and all that was asked of it is only advised, and failed"))
+    } else {
+        None
+    }
 }
 
 /// What is wrong with a waiver of cases that were run, beside that a case of its own passes.
@@ -286,7 +305,7 @@ impl Turn<'_> {
 
     /// What a line says of the case that is to be answered, or who is to blame for what it is.
     fn judge(&self, front: usize, last: Option<usize>, line: &str) -> Result<Outcome, (usize, String)> {
-        let reply: Reply = serde_json::from_str(line)
+        let reply = Reply::parse(line)
             .map_err(|error| (front, format!("not an answer: {} in {}", Shown(error.to_string()), Shown(line))))?;
         if reply.seq != front as u64 {
             return Err(match last {

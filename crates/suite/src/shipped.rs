@@ -11,7 +11,7 @@ macro_rules! texts {
 }
 
 /// Paths and texts.
-static TEXTS: [(&str, &str); 35] = texts! {
+static TEXTS: [(&str, &str); 36] = texts! {
     "index.json"
     "vectors/key/u128.json"
     "vectors/key/u32.json"
@@ -25,6 +25,7 @@ static TEXTS: [(&str, &str); 35] = texts! {
     "vectors/hash/keys.json"
     "vectors/hash/lookup.json"
     "vectors/hash/wide.json"
+    "vectors/hash/wide-deep.json"
     "vectors/trace/complete.json"
     "vectors/trace/disjoint.json"
     "vectors/trace/distance.json"

@@ -3,6 +3,8 @@
 use core::fmt::{self, Write as _};
 use std::io::{self, BufRead, Read as _};
 
+use serde::de::{Error as _, MapAccess, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value, json};
 
 /// Named values as an object.
@@ -20,7 +22,8 @@ pub(super) fn parse_floats<const N: usize>(text: &str) -> Option<[f32; N]> {
     let mut words = text.split(' ');
     let mut floats = [0.0; N];
     for float in &mut floats {
-        let digits = words.next().filter(|digits| digits.len() == 8)?;
+        let is_digit = |byte: u8| matches!(byte, b'0'..=b'9' | b'a'..=b'f');
+        let digits = words.next().filter(|digits| digits.len() == 8 && digits.bytes().all(is_digit))?;
         *float = f32::from_bits(u32::from_str_radix(digits, 16).ok()?);
     }
     words.next().is_none().then_some(floats)
@@ -47,6 +50,72 @@ pub(super) fn read_line(input: &mut impl BufRead) -> io::Result<Option<String>> 
         return Err(invalid(format!("a line of more than {MOST_BYTES} bytes")));
     }
     String::from_utf8(bytes).map(Some).map_err(|error| invalid(format!("a line that is not UTF-8: {error}")))
+}
+
+/// The JSON of a line, in which no key stands twice.
+pub(super) fn parse(line: &str) -> serde_json::Result<Value> {
+    serde_json::from_str::<Strict>(line).map(|Strict(value)| value)
+}
+
+/// A value whose objects have each key once. (Those of `serde_json` keep the last.)
+struct Strict(Value);
+
+impl<'de> Deserialize<'de> for Strict {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(StrictVisitor).map(Self)
+    }
+}
+
+struct StrictVisitor;
+
+impl<'de> Visitor<'de> for StrictVisitor {
+    type Value = Value;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("JSON")
+    }
+
+    fn visit_unit<E>(self) -> Result<Value, E> {
+        Ok(Value::Null)
+    }
+
+    fn visit_bool<E>(self, value: bool) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_str<E>(self, value: &str) -> Result<Value, E> {
+        Ok(value.into())
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Value, A::Error> {
+        let mut list = Vec::new();
+        while let Some(Strict(item)) = items.next_element()? {
+            list.push(item);
+        }
+        Ok(Value::Array(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Value, A::Error> {
+        let mut map = Map::new();
+        while let Some((name, Strict(value))) = fields.next_entry::<String, _>()? {
+            if map.insert(name, value).is_some() {
+                return Err(A::Error::custom("a key stands twice"));
+            }
+        }
+        Ok(Value::Object(map))
+    }
 }
 
 /// What others have written, for a message: its beginning, on one line.

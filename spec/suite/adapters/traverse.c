@@ -49,7 +49,7 @@ static void back(uint64_t *key, uint64_t *trail) { /* TRAIL-4; the trail is not 
 }
 
 static uint64_t complement(uint64_t trail, int depth) { /* TRAIL-6 */
-    return trail ^ (((uint64_t)1 << depth) - 1);
+    return trail ^ (depth == 64 ? UINT64_MAX : ((uint64_t)1 << depth) - 1);
 }
 
 /* JSON: a line becomes a list of tokens, each value before what is in it. Nothing that is asked here is negative, has a
@@ -193,7 +193,7 @@ static bool answer_key(int input, int op, int bits) {
     bool flag = false;
     int depth = 0;
     bool has_key = get_word(input, "key", bits, &key), has_trail = get_word(input, "trail", bits, &trail);
-    bool has_depth = get_number(input, "depth", &depth) && depth < bits;
+    bool has_depth = get_number(input, "depth", &depth) && depth <= bits;
     if (is_text(op, "child") && has_key && get_bool(input, "right", &flag))
         return answer_word("key", (key << 1 | flag) & ones); /* KEY-2 */
     if (is_text(op, "parent") && has_key)

@@ -415,11 +415,13 @@ def shoot(edges, ray, query):
         raise Reject("interval")
     hits = []
     for prim, triangle in enumerate(edges):
-        hit = meet(triangle, origin, direction)
+        hit = (crossed if query == "parity" else meet)(triangle, origin, direction)
         if hit and tmin <= hit[0] <= tmax:
             hits.append((hit[0], prim, hit))
     if query == "any":
         return bool(hits)
+    if query == "parity":
+        return len(hits) % 2 == 1
     if not hits:
         return None
     t, prim, (_, u, v) = min(hits)  # by exact distances: EXACT-1
@@ -436,6 +438,19 @@ def meet(triangle, origin, direction):
     if det == 0 or min(u, v, w) < 0 < max(u, v, w):  # EXACT-2
         return None
     return Fraction(dot(e2, q), det), Fraction(u, det), Fraction(v, det)
+
+
+def crossed(triangle, origin, direction):
+    """The distance at which the line crosses the triangle; None where it does not. A line that meets an edge counts as
+    one beside it, for all triangles the same one, so through an edge of a closed mesh it crosses once."""
+    a = minus(triangle[0], origin)
+    b, c = ([x + y for x, y in zip(a, edge)] for edge in triangle[1:])
+    normals = cross(a, b), cross(b, c), cross(c, a)
+    det = sum(dot(direction, normal) for normal in normals)
+    sides = [next((x for x in (dot(direction, normal), *normal) if x), 0) for normal in normals]
+    if det == 0 or not (min(sides) > 0 or max(sides) < 0):
+        return None
+    return (Fraction(dot(a, normals[1]), det),)
 
 
 def nearest(x):
@@ -478,10 +493,10 @@ OPERATIONS = {**KEY_LEVEL, **HASH_LEVEL, **WALKS, **WIDE, "ray": ray}
 WORDS = ("key", "trail", "marks", "counter", "index", "mask", "seed", "word")
 PROFILES = {
     "key": ["u32", "u64", "u128", "wide"],
-    "hash": ["function", "fold", "address", "keys", "lookup", "wide"],
+    "hash": ["function", "fold", "address", "keys", "lookup", "wide", "wide-deep"],
     "trace": ["script", "complete", "tape", "node-left", "node-sign", "disjoint", "invalid", "wide", "wide-invalid"],
     "resume": ["state", "disjoint", "key-only", "invalid", "wide"],
-    "ray": ["grid", "exact", "watertight", "ulp-8", "ulp-256", "invalid"],
+    "ray": ["grid", "exact", "watertight", "parity", "ulp-8", "ulp-256", "invalid"],
 }
 HELLO = {
     "protocol": 1,

@@ -29,7 +29,9 @@ def main():
         return
     run = Run(args)
     atexit.register(run.stop)  # however we end
-    signal.signal(signal.SIGTERM, run.terminate)
+    for name in ("SIGTERM", "SIGHUP", "SIGQUIT"):  # Windows has the first one only
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), run.terminate)
     try:
         bases, cases = load()
         waivers = waive.load(args.waivers, [case["id"] for _, case in cases])
@@ -46,9 +48,11 @@ def main():
     if not any("what" in row or row["outcome"] == "pass" for row in verdicts):
         faults.append("nothing was asked: the program names no profile of these cases, or lacks their features")
     faults += run.bye()
-    if not is_over:  # after a first failure nobody knows what the others need
+    if not is_over:
+        faults += not_shown(run.hello, verdicts)
+        # after a first failure nobody knows what the others need
         faults += waive.not_needed(waivers, verdicts)
-    report = Report(run.hello, verdicts, faults, bases)
+    report = Report(run.hello, verdicts, faults, bases, not args.filter and args.level is None)
     for line in report.text(args.show, args.command):
         print(line)
     if args.json:
@@ -78,27 +82,40 @@ def is_wanted(args, id):
 
 def wrong_names(hello, profiles):
     faults = [f"there is no profile '{shown(name)}'" for name in hello["profiles"] if name not in profiles]
-    if len(set(hello["profiles"])) < len(hello["profiles"]):
-        faults.append("a profile is named twice")
+    for names in (hello["profiles"], hello["features"]):
+        faults += [f"'{shown(name)}' is named twice" for i, name in enumerate(names) if name in names[:i]]
     return faults
+
+
+def not_shown(hello, verdicts):
+    """Faults: profiles that are named, and of which no case was passed, waived, or failed that demands something."""
+    for profile in dict.fromkeys(hello["profiles"]):
+        rows = [row for row in verdicts if row["id"].rpartition("/")[0] == profile]
+        asked = [row for row in rows if row["outcome"] != "not-asked"]
+        if rows and not asked:
+            yield f"{profile} is named, and none of its cases was asked: they need features or limits that were not"
+        elif asked and all("what" in row and row["strength"] == "may" and "waived" not in row for row in asked):
+            yield f"{profile} is named, and all that was asked of it is only advised, and failed"
 
 
 def ask_all(run, args, cases, waivers):
     """What came of each case, and whether the run ended at the first failure."""
     verdicts, silent, is_over = [], 0, False
     for seq, (profile, case) in enumerate(cases):
-        outcome, what = "not-asked", None
+        outcome, what, reply = "not-asked", None, None
         if is_over:
             pass
         elif silent >= GIVEN_UP_AFTER:
             outcome, what = "error", f"given up: the last {silent} starts answered nothing"
         elif is_asked(run.hello, profile, case):
-            outcome, what = run.ask(seq, profile, case)
+            outcome, what, reply = run.ask(seq, profile, case)
             silent = silent + 1 if outcome in ("error", "crash", "timeout") else 0
         row = {name: case[name] for name in ("id", "clauses", "strength", "why")}
         row.update(outcome=outcome, size=sum(map(size, case["input"].values())))
         if what is not None:
             row["what"] = what
+        if reply is not None:
+            row["shown"] = (case, reply)
         reason = waive.reason(waivers, case["id"], outcome)
         if reason is not None:
             row["waived"] = reason

@@ -1,9 +1,14 @@
-"""The judge: what is wrong with an answer to a case. Nothing is asked here."""
+"""The judge: what is wrong with an answer to a case. Nothing is asked here.
+
+`stackless conform` has another one. The lines of hostile.json are held against both.
+"""
 
 import json
 import re
 
-KINDS = ("result", "reject", "unsupported")  # of answers
+KINDS = {"result": dict, "reject": str, "unsupported": str}  # of answers
+FEATURES = ("trails", "counters", "registers", "changing", "weights")
+NESTING = 127
 
 
 class Flaw(Exception):
@@ -15,6 +20,77 @@ def shown(value):
     text = value if isinstance(value, str) else json.dumps(value)
     text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text[:121])
     return text if len(text) <= 120 else text[:120] + "..."
+
+
+def parse(line):
+    """The JSON of a line, as strictly as others read it. ValueError where it is none."""
+
+    def pairs(fields):
+        if len(dict(fields)) < len(fields):
+            raise ValueError("a key stands twice")
+        return dict(fields)
+
+    def whole(text):
+        return float(text) if text == "-0" or len(text) > 20 else int(text)
+
+    def constant(text):
+        raise ValueError(f"{text} is no number")
+
+    text = line.decode("utf-8")
+    try:
+        value = json.loads(text, object_pairs_hook=pairs, parse_int=whole, parse_constant=constant)
+        json.dumps(value, allow_nan=False, ensure_ascii=False).encode("utf-8")  # no infinity, and no half of a character
+    except RecursionError:
+        raise ValueError("nested too deep") from None
+    level, values = 0, [value]
+    while values:
+        level, values = level + 1, [inner for it in values if isinstance(it, (dict, list)) for inner in elements(it)]
+    if level > NESTING:
+        raise ValueError("nested too deep")
+    return value
+
+
+def elements(it):
+    return it.values() if isinstance(it, dict) else it
+
+
+def read_hello(line):
+    """What a program says of itself. ValueError where it is no hello (schema/hello.json)."""
+    hello = parse(line)
+    if not isinstance(hello, dict) or not alike(hello.get("protocol"), 1) or not isinstance(hello.get("name"), str):
+        raise ValueError("expected protocol 1 and a name")
+    hello = {"version": "", "features": [], "limits": {}, **hello}
+    names = [hello.get("profiles"), hello["features"]]
+    if not all(isinstance(it, list) and all(isinstance(name, str) for name in it) for it in names):
+        raise ValueError("expected lists of profiles and features")
+    if not isinstance(hello["version"], str):
+        raise ValueError("expected a text as version")
+    unknown = [name for name in hello["features"] if name not in FEATURES]
+    if unknown:
+        raise ValueError(f"there is no feature '{shown(unknown[0])}'")
+    check_limits(hello["limits"], ("max_depth", "wide"))
+    return hello
+
+
+def check_limits(limits, names):
+    if not isinstance(limits, dict) or any(name not in names for name in limits):
+        raise ValueError(f"limits: expected an object with {' and '.join(names)} at most")
+    for name, limit in limits.items():
+        if name == "wide":
+            check_limits(limit, ("2", "4", "8"))
+        elif type(limit) is not int or not 0 <= limit < 2**32:
+            raise ValueError(f"limits: {name}: expected a whole number")
+
+
+def read_reply(line, seq):
+    """The answer to the case of this number. ValueError where it is none (schema/reply.json)."""
+    reply = parse(line)
+    if not isinstance(reply, dict) or not alike(reply.get("seq"), seq):
+        raise ValueError("no answer to this case")
+    found = [kind for kind in KINDS if reply.get(kind) is not None]
+    if len(found) != 1 or not isinstance(reply[found[0]], KINDS[found[0]]):
+        raise ValueError("expected one of result, reject and unsupported")
+    return reply
 
 
 def judge(case, hello, reply):
@@ -41,11 +117,22 @@ def judge(case, hello, reply):
 def same(name, expected, found):
     if isinstance(expected, list) and isinstance(found, list):
         for i in range(max(len(expected), len(found))):
-            a, b = [json.dumps(it[i]) if i < len(it) else "nothing" for it in (expected, found)]
-            if a != b and (i >= len(expected) or i >= len(found) or expected[i] != found[i] or "true" in a + b):
+            if not alike(expected[i : i + 1], found[i : i + 1]):
+                a, b = [json.dumps(it[i]) if i < len(it) else "nothing" for it in (expected, found)]
                 raise Flaw(f"{name}[{i}]: {shown(b)}, expected {shown(a)}")
-    elif expected != found or isinstance(expected, bool) != isinstance(found, bool):
+    elif not alike(expected, found):
         raise Flaw(f"{name}: {shown(found)}, expected {shown(expected)}")
+
+
+def alike(a, b):
+    """Equal, and of one kind: 3.0 is not 3, and true is not 1."""
+    if type(a) is not type(b):
+        return False
+    if isinstance(a, list):
+        return len(a) == len(b) and all(map(alike, a, b))
+    if isinstance(a, dict):
+        return a.keys() == b.keys() and all(alike(a[name], b[name]) for name in a)
+    return a == b
 
 
 def judge_result(case, features, expected, found):
@@ -111,7 +198,7 @@ def judge_near(near, result):
             right = expected is None and found is None
         else:
             bits = found.get("t")
-            right = found.get("prim") in expected["prims"] and isinstance(bits, str)
+            right = any(alike(found.get("prim"), prim) for prim in expected["prims"]) and isinstance(bits, str)
             right = right and re.fullmatch("[0-9a-f]{8}", bits) is not None
             right = right and abs(int(bits, 16) - int(expected["t"], 16)) <= near["ulps"]
         if not right:
@@ -192,6 +279,8 @@ def judge_table(asked, result):
             raise Flaw(f"unknown field '{shown(name)}'")
     if "fold" not in result and any(key.bit_length() > 64 for key in keys):
         raise Flaw("no field 'fold'")
+    if not all(isinstance(result.get(name), list) for name in ("displacements", "cells")):
+        raise Flaw("expected lists of displacements and cells")
     try:
         displacements, cells = ([word(text, 32) for text in result[name]] for name in ("displacements", "cells"))
         fold = word(result.get("fold", "0"), 64)
@@ -201,7 +290,7 @@ def judge_table(asked, result):
     d, h = len(displacements), len(cells)
     if d == 0 or d & d - 1 or h % 2 == 0 or "sizes" in asked and asked["sizes"] != [d, h]:
         raise Flaw(f"the table is wrong: D = {d}, H = {h}")
-    if (seed is None) != (bits is None) or seed is not None and (bits not in (32, 64) or "sizes" in asked):
+    if (seed is None) != (bits is None) or seed is not None and (not any(alike(bits, it) for it in (32, 64)) or "sizes" in asked):
         raise Flaw("the table is wrong: seed and bits")
     for key, node in keys.items():
         key = folded(key, fold)

@@ -9,7 +9,10 @@ import sys
 import threading
 import time
 
-from .judge import KINDS, Flaw, judge, shown
+from .judge import Flaw, judge, read_hello, read_reply, shown
+
+
+MOST_BYTES = 64 << 20  # of a line; what is longer is none
 
 
 class Program:
@@ -25,7 +28,7 @@ class Program:
         self.has_said.start()
 
     def listen(self):
-        for line in self.child.stdout:
+        for line in iter(lambda: self.child.stdout.readline(MOST_BYTES), b""):
             self.lines.put(line)
         self.lines.put(None)
 
@@ -70,13 +73,13 @@ class Program:
 class Run:
     def __init__(self, args):
         self.args, self.program, self.hello, self.deadline = args, None, None, time.monotonic() + args.budget
-        self.is_starting = self.is_over = False
+        self.is_starting, self.status = False, None
 
-    def terminate(self, *_):
+    def terminate(self, signal, _):
         """Not between the start of a program and its name: nobody could end it."""
-        self.is_over = True
+        self.status = 128 + signal
         if not self.is_starting:
-            sys.exit(143)
+            sys.exit(self.status)
 
     def start(self):
         self.is_starting = True
@@ -84,15 +87,15 @@ class Run:
             self.program = Program(self.args.command, self.args.stderr)
         finally:
             self.is_starting = False
-        if self.is_over:
-            sys.exit(143)
+        if self.status:
+            sys.exit(self.status)
         line = self.program.ask({"cmd": "hello", "protocol": 1}, self.args.timeout)
         if line is None:
             raise ValueError(f"no hello: the program ended: {self.program.how_it_ended()}")
-        hello = json.loads(line)
-        if not isinstance(hello, dict) or hello.get("protocol") != 1 or not isinstance(hello.get("profiles"), list):
-            raise ValueError(f"no hello: {shown(line.decode(errors='replace'))}")
-        return hello
+        try:
+            return read_hello(line)
+        except ValueError as error:
+            raise ValueError(f"no hello: {shown(str(error))} in {shown(line.decode(errors='replace'))}") from None
 
     def stop(self):
         if self.program:
@@ -111,38 +114,34 @@ class Run:
         return []
 
     def ask(self, seq, profile, case):
-        """Outcome and what is wrong."""
+        """Outcome, what is wrong, and the answer, if it is one."""
         level, name = profile.split("/")
         request = {"cmd": "case", "seq": seq, "level": level, "profile": name, "input": case["input"]}
         if time.monotonic() > self.deadline:
-            return "error", f"given up: the run has taken {self.args.budget:g} s"
+            return "error", f"given up: the run has taken {self.args.budget:g} s", None
         try:
             if not self.program:
                 self.start()
             line = self.program.ask(request, self.args.timeout)
         except TimeoutError:
             self.stop()
-            return "timeout", "no answer in time (is every line flushed?)"
+            return "timeout", "no answer in time (is every line flushed?)", None
         except (OSError, ValueError) as error:
             self.stop()
-            return "error", shown(str(error))
+            return "error", shown(str(error)), None
         if line is None:
             how = self.program.how_it_ended()
             self.stop()
-            return "crash", f"the program ended: {how}"
+            return "crash", f"the program ended: {how}", None
         try:
-            reply = json.loads(line)
-            if not isinstance(reply, dict) or reply.get("seq") != seq:
-                raise ValueError("no answer to this case")
-            if sum(reply.get(kind) is not None for kind in KINDS) != 1:
-                raise ValueError("expected one of result, reject and unsupported")
+            reply = read_reply(line, seq)
         except ValueError as error:
             self.stop()
-            return "error", f"{shown(str(error))} in {shown(line.decode(errors='replace'))}"
+            return "error", f"{shown(str(error))} in {shown(line.decode(errors='replace'))}", None
         try:
             judge(case, self.hello, reply)
         except Flaw as flaw:
-            return "fail", str(flaw)
+            return "fail", str(flaw), reply
         except (AttributeError, KeyError, TypeError, ValueError) as error:
-            return "fail", f"not as it must be: {shown(repr(error))}"
-        return "pass", None
+            return "fail", f"not as it must be: {shown(repr(error))}", reply
+        return "pass", None, None

@@ -30,6 +30,11 @@ fn profile(name: &str, width: usize) -> Profile {
         let why = "Each level of the mask changes sides.";
         author.case(&format!("swap-{label}"), &clauses, why, &ask, result([("index", hex(&swapped))]));
     }
+    // Trail and counter have a bit for each level below the root: one level more than a key of as many bits.
+    for (name, bit) in patterns(width as u64) {
+        let trail = Bits((0..=width).map(|i| i > 0 && bit(i)).collect());
+        of_counter(&mut author, &format!("{name}-{width}"), &trail);
+    }
     author.done()
 }
 
@@ -71,13 +76,7 @@ fn of_trail(author: &mut Author, label: &str, key: &Bits, trail: &Bits, width: u
     let why = if trail.is_zero() { "Nothing is postponed: the end." } else { "Zeros below the lowest one." };
     let ask = Ask::Levels { trail: text.clone() };
     author.case(&format!("levels-{label}"), &["TRAIL-3"], why, &ask, result([("levels", levels.clone())]));
-    let counter = Bits(trail.0[1..].to_vec()).complement();
-    let ask = Ask::Counter { trail: text.clone(), depth: depth as u32 };
-    let why = "The complement of the trail, below the depth.";
-    author.case(&format!("counter-{label}"), &["TRAIL-6"], why, &ask, result([("counter", hex(&counter))]));
-    let ask = Ask::CounterLevels { counter: counter.hex(), depth: depth as u32 };
-    let why = if trail.is_zero() { "All ones: the end." } else { "Ones below the lowest zero." };
-    author.case(&format!("counter-levels-{label}"), &["TRAIL-6"], why, &ask, result([("levels", levels.clone())]));
+    of_counter(author, label, trail);
     if depth + 1 < width {
         for both in [false, true] {
             let ask = Ask::Descend { trail: text.clone(), both };
@@ -100,6 +99,19 @@ fn of_trail(author: &mut Author, label: &str, key: &Bits, trail: &Bits, width: u
     };
     let answer = result([("levels", levels), ("key", hex(&to)), ("trail", hex(&left))]);
     author.case(&format!("backtrack-{label}"), &["TRAIL-4", "TRAIL-5"], why, &ask, answer);
+}
+
+/// A trail of one bit more than the counter.
+fn of_counter(author: &mut Author, label: &str, trail: &Bits) {
+    let (text, depth) = (trail.hex(), (trail.0.len() - 1) as u32);
+    let counter = Bits(trail.0[1..].to_vec()).complement();
+    let ask = Ask::Counter { trail: text, depth };
+    let why = "The complement of the trail, below the depth.";
+    author.case(&format!("counter-{label}"), &["TRAIL-6"], why, &ask, result([("counter", hex(&counter))]));
+    let levels = if trail.is_zero() { Value::Null } else { json!(trail.trailing(false)) };
+    let ask = Ask::CounterLevels { counter: counter.hex(), depth };
+    let why = if trail.is_zero() { "All ones: the end." } else { "Ones below the lowest zero." };
+    author.case(&format!("counter-levels-{label}"), &["TRAIL-6"], why, &ask, result([("levels", levels)]));
 }
 
 /// Keys at the depths where words begin and end.

@@ -11,6 +11,7 @@ mod ray;
 mod reference;
 mod resume;
 mod table;
+mod tolerances;
 mod tolerant;
 mod trace;
 mod trees;
@@ -55,7 +56,7 @@ pub(super) fn names() -> Vec<String> {
 /// Every profile that there is.
 pub(super) const PROFILES: [(Level, &[&str]); 5] = [
     (Level::Key, &["u32", "u64", "u128", "wide"]),
-    (Level::Hash, &["function", "fold", "address", "keys", "lookup", "build", "build-deep", "wide"]),
+    (Level::Hash, &["function", "fold", "address", "keys", "lookup", "build", "build-deep", "wide", "wide-deep"]),
     (
         Level::Trace,
         &[

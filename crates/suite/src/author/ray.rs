@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
 use super::truth::{Hit, Mesh, Ray};
-use super::{Author, order, result};
+use super::{Author, order, result, tolerances};
 use crate::ask::Rays;
 use crate::text::{floats, hit};
 use crate::{Ask, Level, Profile, Query, Strength, Withdrawn};
@@ -155,6 +155,7 @@ fn exact() -> Profile {
         traced(&mut author, name, why, &mesh, &[ray(o, d, [0.0, f32::INFINITY])]);
     }
     order::cases(&mut author);
+    tolerances::exact(&mut author);
     author.done()
 }
 
@@ -356,5 +357,11 @@ fn invalid() -> Profile {
     ] {
         author.reject(name, &["EXACT-1"], why, &ask, code);
     }
+    let (why, mesh) = (
+        "This is a ray: not everything is rejected.",
+        Mesh { vertices: vertices.to_vec(), triangles: vec![[0, 1, 2]] },
+    );
+    closest(&mut author, "right", why, &mesh, &[ray]);
+    any(&mut author, "right", why, &mesh, &[ray]);
     author.done()
 }

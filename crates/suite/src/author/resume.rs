@@ -242,5 +242,9 @@ fn invalid() -> Profile {
         });
         author.reject(name, &["PAUSE-5"], why, &ask, code);
     }
+    let run = Reference::run(&children, Search::Script(b"LL..."));
+    for (i, next) in moments(nodes_of(&run), |node| children[node as usize].is_none(), 8) {
+        state(&mut author, "right", "This is a state: not everything is rejected.", &run, "LL...", i, next);
+    }
     author.done()
 }

@@ -9,15 +9,15 @@ use serde_json::json;
 
 use super::ray::{asked, from_to};
 use super::truth::{Hit, Mesh, Ray};
-use super::{Author, result};
+use super::{Author, result, tolerances};
 use crate::{Ask, Expect, Level, Near, NearHit, Profile, Query};
 use stackless_bvh::generate::{Rng, Source};
 
 /// Rays of a case.
-const RAYS: usize = 16;
+pub(super) const RAYS: usize = 16;
 
 /// The interval of a ray without an end.
-const WHOLE: [f32; 2] = [0.0, f32::INFINITY];
+pub(super) const WHOLE: [f32; 2] = [0.0, f32::INFINITY];
 
 /// Ulps that a profile allows, and the condition numbers up to which it asks.
 const ULPS: [(&str, u32, f64); 2] = [("ulp-8", 8, 4.0), ("ulp-256", 256, 64.0)];
@@ -47,10 +47,13 @@ pub(super) fn scaled(mesh: &Mesh, by: Vec3) -> Mesh {
     Mesh { vertices, triangles: mesh.triangles.clone() }
 }
 
-fn cube() -> Mesh {
+/// The sides of the cube, each around.
+pub(super) const SIDES: [[u32; 4]; 6] =
+    [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+
+pub(super) fn cube() -> Mesh {
     let vertices = (0..8).map(|i| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 1.0 } else { -1.0 })).collect();
-    let sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
-    Mesh { vertices, triangles: sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect() }
+    Mesh { vertices, triangles: SIDES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect() }
 }
 
 /// An octahedron whose triangles are cut into four so often, with all corners on the unit sphere but for rounding.
@@ -83,7 +86,7 @@ fn on_edge(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     a + (b - a) * (rng.below(9) as f32 / 8.0)
 }
 
-fn middle_of_face(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
+pub(super) fn middle_of_face(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     let corners = mesh.triangles[rng.below(mesh.triangles.len() as u64) as usize];
     let [a, b, c] = corners.map(|corner| Vec3::from_array(mesh.vertices[corner as usize]));
     (a + b + c) / 3.0
@@ -94,7 +97,7 @@ fn extent(mesh: &Mesh) -> Vec3 {
     mesh.vertices.iter().map(|&vertex| Vec3::from_array(vertex).abs()).fold(Vec3::ZERO, Vec3::max)
 }
 
-fn inside(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
+pub(super) fn inside(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     Vec3::from_array([(); 3].map(|()| rng.below(9) as f32 / 64.0 - 1.0 / 16.0)) * extent(mesh)
 }
 
@@ -129,11 +132,12 @@ fn watertight() -> Profile {
         let why = "Past the mesh, away from it, or ended before it: nothing is hit, and nothing is near.";
         asks(&mut author, &format!("{name}-ghosts"), why, &mesh, &ghosts, Query::Any, |_| false);
     }
+    tolerances::of_closed(&mut author, Query::Any);
     author.done()
 }
 
 /// A ray that stays outside of the sphere around the mesh, by a fiftieth of its size or more.
-fn ghost(rng: &mut Rng, mesh: &Mesh, at: usize) -> Ray {
+pub(super) fn ghost(rng: &mut Rng, mesh: &Mesh, at: usize) -> Ray {
     let from = outside(rng, mesh, 2.0);
     match at % 3 {
         0 => from_to(from, 2.0 * from, WHOLE),
@@ -181,6 +185,7 @@ fn parity() -> Profile {
         let is_between = |at: usize| at.is_multiple_of(2);
         asks(&mut author, &format!("{name}-hollow"), why, &hollow, &mixed, Query::Parity, is_between);
     }
+    tolerances::of_closed(&mut author, Query::Parity);
     author.done()
 }
 
@@ -195,7 +200,7 @@ fn with_hollow(mesh: &Mesh) -> Mesh {
     }
 }
 
-fn asks(
+pub(super) fn asks(
     author: &mut Author,
     name: &str,
     why: &str,
@@ -214,31 +219,36 @@ fn near(profile: &str, ulps: u32, most: f64) -> Profile {
     let mut author = Author::new(Level::Ray, profile);
     for seed in 0..24 {
         let rng = &mut Rng::new(9200 + seed);
-        let mesh = doubled(&soup(rng, 4 + 2 * seed as usize));
-        let (mut rays, mut hits) = (Vec::new(), Vec::new());
-        for _ in 0..20_000 {
-            if rays.len() == RAYS {
-                break;
-            }
-            let from = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 128.0 - 4.0));
-            let to = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 512.0 - 1.0));
-            let ray = from_to(from, to, WHOLE);
-            if !is_clear(&mesh, &ray, most) {
-                continue;
-            }
-            let all = mesh.hits(&ray);
-            // Misses are easy.
-            if all.is_empty() && rays.len() % 5 != 0 {
-                continue;
-            }
-            hits.push(near_hit(&all, ulps));
+        let mesh = doubled(&soup(rng, 4 + 2 * seed as usize, 20));
+        let rays = clear_rays(rng, &mesh, most);
+        let why = "Hits far from edges; each triangle is there twice, and either will do.";
+        asks_near(&mut author, &format!("soup-{seed}"), why, &mesh, &rays, ulps);
+    }
+    tolerances::of_soups(&mut author, ulps, most);
+    author.done()
+}
+
+/// Rays along which nothing is near what cannot be told apart, four in five of them with a hit: misses are easy.
+pub(super) fn clear_rays(rng: &mut Rng, mesh: &Mesh, most: f64) -> Vec<Ray> {
+    let mut rays = Vec::new();
+    for _ in 0..20_000 {
+        if rays.len() == RAYS {
+            break;
+        }
+        let from = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 128.0 - 4.0));
+        let to = Vec3::from_array([(); 3].map(|()| rng.below(1025) as f32 / 512.0 - 1.0));
+        let ray = from_to(from, to, WHOLE);
+        if is_clear(mesh, &ray, most) && (rays.len() % 5 == 0 || !mesh.hits(&ray).is_empty()) {
             rays.push(ray);
         }
-        let why = "Hits far from edges; each triangle is there twice, and either will do.";
-        let ask = Ask::Ray(asked(&mesh, &rays, Query::Closest));
-        author.case(&format!("soup-{seed}"), &["EXACT-1", "CONF-2"], why, &ask, Expect::Near(Near { ulps, hits }));
     }
-    author.done()
+    rays
+}
+
+pub(super) fn asks_near(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray], ulps: u32) {
+    let hits = rays.iter().map(|ray| near_hit(&mesh.hits(ray), ulps)).collect();
+    let ask = Ask::Ray(asked(mesh, rays, Query::Closest));
+    author.case(name, &["EXACT-1", "CONF-2"], why, &ask, Expect::Near(Near { ulps, hits }));
 }
 
 /// The first of all hits, in their order. A tracer whose distances are off by so many floats each may take another hit
@@ -249,14 +259,15 @@ fn near_hit(all: &[Hit], ulps: u32) -> Option<NearHit> {
     Some(NearHit { t: format!("{first:08x}"), prims: all.iter().filter(is_near).map(|hit| hit.prim).collect() })
 }
 
-fn soup(rng: &mut Rng, triangles: usize) -> Mesh {
-    let corner = |rng: &mut Rng| [(); 3].map(|()| rng.below(1 << 20) as f32 / (1 << 19) as f32 - 1.0);
+pub(super) fn soup(rng: &mut Rng, triangles: usize, bits: u32) -> Mesh {
+    let half = 1 << (bits - 1);
+    let corner = |rng: &mut Rng| [(); 3].map(|()| rng.below(2 * half) as f32 / half as f32 - 1.0);
     let vertices = (0..3 * triangles).map(|_| corner(rng)).collect();
     Mesh { vertices, triangles: (0..triangles as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
 }
 
 /// Each triangle again, with its corners turned.
-fn doubled(mesh: &Mesh) -> Mesh {
+pub(super) fn doubled(mesh: &Mesh) -> Mesh {
     let again = mesh.triangles.iter().map(|&[a, b, c]| [b, c, a]);
     Mesh { vertices: mesh.vertices.clone(), triangles: mesh.triangles.iter().copied().chain(again).collect() }
 }
@@ -317,6 +328,12 @@ mod tests {
         }
     }
 
+    /// Whether the point of a ray at a distance is within.
+    fn within(mesh: &Mesh, ray: &Ray, t: f32) -> bool {
+        let [o, d] = [0, 3].map(|at| Vec3::new(ray[at], ray[at + 1], ray[at + 2]));
+        t.is_finite() && is_within(mesh, o + t * d)
+    }
+
     /// What is expected by how rays are made is the truth.
     #[test]
     fn the_truth_is_as_expected() {
@@ -330,7 +347,7 @@ mod tests {
                 for (ray, expected) in origins.iter().zip(expected["hits"].as_array().unwrap()) {
                     let truth = match rays.query {
                         Query::Any => !mesh.hits(ray).is_empty(),
-                        _ => is_within(&mesh, Vec3::new(ray[0], ray[1], ray[2])),
+                        _ => within(&mesh, ray, ray[6]) != within(&mesh, ray, ray[7]),
                     };
                     assert_eq!(truth, expected.as_bool().unwrap(), "{}", case.id);
                     (asked, met) = (asked + 1, met + usize::from(truth));

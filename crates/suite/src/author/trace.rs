@@ -282,7 +282,11 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Ru
 
 fn boundaries(author: &mut Author, clauses: &[&str], rule: impl Fn(&Scene) -> Rule) {
     for (name, why, scene) in boundary_scenes() {
-        taped(author, name, clauses, why, &scene, rule(&scene));
+        let (rule, is_static) = (rule(&scene), scene.is_static());
+        let case = taped(author, name, clauses, why, &scene, rule);
+        if rule == Rule::Children && !is_static {
+            case.needs(Feature::Changing);
+        }
     }
 }
 
@@ -380,6 +384,11 @@ fn invalid() -> Profile {
         let text = script(&children, |_| 'L', |_| '.');
         let ask = Ask::Trace(Walk { children, script: Some(text), ..Walk::default() });
         author.reject(name, &["TREE-1", "TREE-2"], why, &ask, "not-a-tree");
+    }
+    for depth in 0..3 {
+        let children = complete(depth);
+        let text = script(&children, |_| 'L', |_| '.');
+        scripted(&mut author, &format!("right-{depth}"), "This is a tree: not everything is rejected.", children, text);
     }
     author.done()
 }

@@ -113,8 +113,9 @@ pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> boo
 
 /// A root that is missed, or entered late, as a leaf and above two leaves; and hits as late as can be. What is tested
 /// at its visit counts for the root too; what is tested at the parent does not. The octant has the right child first.
-pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 5] {
+pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 9] {
     const LAST: u32 = u32::MAX;
+    const FLOAT: u32 = 1 << 24;
     let three = vec![Some([1, 2]), None, None];
     let leaf = vec![None];
     let node = |miss, enter, hit| Cell { miss, enter, hit, ..Cell::default() };
@@ -142,6 +143,20 @@ pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 5] {
             "Hits at 2^32 - 1, the last distance: of two the lower node, which is entered there.",
             scene(&three, vec![node(false, 0, None), node(false, LAST, Some(LAST)), hit_at(LAST)]),
         ),
+        ("float-order", "Entered at 2^24 + 1 and at 2^24, which is one float: the second comes first.", {
+            scene(&three, vec![node(false, 0, None), node(false, FLOAT + 1, None), node(false, FLOAT, None)])
+        }),
+        ("float-hit", "Hits at 2^24 + 1 and at 2^24, which is one float: the second is the best.", {
+            scene(&three, vec![node(false, 0, None), hit_at(FLOAT + 1), hit_at(FLOAT)])
+        }),
+        ("signed-hit", "Hits above 2^31 and at 1: the second is the best.", {
+            scene(&three, vec![node(false, 0, None), hit_at(1 << 31 | 5), hit_at(1)])
+        }),
+        ("float-beyond", "A hit at 2^24, and what is entered at 2^24 + 1, the same float, is beyond it.", {
+            let five = vec![Some([1, 2]), None, Some([3, 4]), None, None];
+            let late = || node(false, FLOAT + 1, None);
+            scene(&five, vec![node(false, 0, None), hit_at(FLOAT), node(false, 1, None), late(), late()])
+        }),
     ]
 }
 

@@ -9,6 +9,7 @@ use crate::protocol::WideLimits;
 use crate::scripted::{Noted, ScriptedSearch, wide_events};
 use crate::{Answer, Ask, Start, WideChildren};
 use stackless_bvh::event::{Recorder as _, State};
+use stackless_bvh::key::Grow;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
@@ -100,11 +101,17 @@ fn told<const A: usize, const SORTED: bool>(
 
 fn resumed<const A: usize, const SORTED: bool>(method: Method, walk: &WideWalk) -> Option<Answer> {
     let Ok(tree) = walk.tree::<A>() else { return Some(reject("not-a-tree")) };
-    let path = path::<A>(walk.key.as_ref()?, walk.trail.as_ref()?)?;
+    let path = match path::<A>(walk.key.as_ref()?, walk.trail.as_ref()?) {
+        Ok(path) => path,
+        Err(code) => return Some(reject(code)),
+    };
     let mut from = tree.root();
-    for &(slot, _) in &path {
+    for &(slot, pending) in &path {
         if from.is_leaf() || tree.children(from) >> slot & 1 == 0 {
-            return None;
+            return Some(reject("no-such-node"));
+        }
+        if pending & (!tree.children(from) | 1 << slot) != 0 {
+            return Some(reject("trail"));
         }
         from = tree.child(from, slot);
     }
@@ -121,15 +128,15 @@ fn resumed<const A: usize, const SORTED: bool>(method: Method, walk: &WideWalk) 
     Some(told(ran, &tree, is_visited.then_some(from), walk, &search))
 }
 
-/// For each level the slot that is taken, and the set of those that are pending; `None` where trail or key are of
-/// another form. `[WIDE-9]` `[WIDE-10]`
-fn path<const A: usize>(key: &str, trail: &str) -> Option<Vec<(u32, u32)>> {
-    let (key, bits) = (Bits::of_hex(key)?, A.ilog2() as usize);
-    let (below, levels) = (key.0.get(1..)?, (key.0.len() - 1) / bits);
-    let trail = Bits::of_hex(trail)?.of_length(A * levels)?;
+/// For each level the slot that is taken, and the set of those that are pending; the code of a rejection where key or
+/// trail are of another form. `[WIDE-9]` `[WIDE-10]`
+fn path<const A: usize>(key: &str, trail: &str) -> Result<Vec<(u32, u32)>, &'static str> {
+    let (key, bits) = (Bits::of_hex(key).ok_or("no-such-node")?, A.ilog2() as usize);
+    let below = key.0.get(1..).filter(|below| below.len() % bits == 0).ok_or("no-such-node")?;
+    let trail = Bits::of_hex(trail).and_then(|trail| trail.of_length(A * (below.len() / bits))).ok_or("trail")?;
     let number = |bits: &[bool]| bits.iter().fold(0, |number, &bit| 2 * number + u32::from(bit));
     let groups = below.chunks(bits).zip(trail.0.chunks(A));
-    (below.len() == bits * levels).then(|| groups.map(|(slot, set)| (number(slot), number(set))).collect())
+    Ok(groups.map(|(slot, set)| (number(slot), number(set))).collect())
 }
 
 /// Goes down to a state, by answers that want nothing but the path and what is pending, and on from there.
@@ -180,17 +187,19 @@ impl<'t, const A: usize, const SORTED: bool> Context<'t, A, Tree<A>> for GoOn<'t
 
 pub(super) fn hashed_keys(slots: u32, children: &WideChildren) -> Option<Answer> {
     let walk = WideWalk { slots, children: children.clone(), ..WideWalk::default() };
-    let mut keys: Vec<u64> = match slots {
+    let keys = match slots {
         2 => keys::<2>(&walk)?,
         4 => keys::<4>(&walk)?,
         8 => keys::<8>(&walk)?,
         _ => return None,
     };
-    keys.sort_unstable();
-    Some(Answer::of([("keys", keys.iter().map(hex).collect())]))
+    Some(Answer::of([("keys", json!(keys))]))
 }
 
-fn keys<const A: usize>(walk: &WideWalk) -> Option<Vec<u64>> {
-    let tree = walk.tree::<A>().ok()?;
-    (tree.levels() <= 63 / A.ilog2()).then(|| asked_keys(&tree).into_iter().map(|(key, _)| key).collect())
+/// In the order of their numbers.
+fn keys<const A: usize>(walk: &WideWalk) -> Option<Vec<String>> {
+    let asked = asked_keys::<A, Grow>(&walk.tree::<A>().ok()?);
+    let mut keys: Vec<String> = asked.iter().map(|(key, _)| hex(key)).collect();
+    keys.sort_unstable_by(|a, b| (a.len(), a).cmp(&(b.len(), b)));
+    Some(keys)
 }

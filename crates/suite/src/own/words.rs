@@ -60,7 +60,7 @@ fn of_word<W: KeyWord>(ask: &Ask) -> Option<Answer> {
     }
 }
 
-/// Two to the depth; `None` where the word does not hold it, or nobody would wait for it.
+/// Two to the depth, 0 at the depth of the word's bits; `None` beyond, and where nobody would wait for it.
 fn level_start<W: KeyWord>(depth: u32) -> Option<W> {
-    (depth < W::WIDTH.unwrap_or(1 << 16)).then(|| (0..depth).fold(W::one(), |start, _| start.shl1()))
+    (depth <= W::WIDTH.unwrap_or(1 << 16)).then(|| (0..depth).fold(W::one(), |start, _| start.shl1()))
 }

@@ -249,6 +249,24 @@ fn nothing_asked_is_no_conformity() {
     }
 }
 
+/// Of a profile that is named something has to pass, or to be excused. Advice that is not followed says nothing.
+#[test]
+fn nothing_is_said_of_a_profile_by_advice_alone() {
+    let suite = super::suite_of(|id| id == "ray/invalid/negative-tmin" || id.starts_with("trace/tape/ties-"));
+    let with = |profiles: &str, answer: &str| {
+        let mut command = program(answer);
+        command[2] = command[2].replace("\"key/u32\"", profiles);
+        runner(command, &suite).run(|_| ()).unwrap()
+    };
+    let (right, wrong) = ("printf '{\"seq\":%s,\"reject\":\"interval\"}\\n' \"$seq\"", RIGHT);
+    assert!(with("\"ray/invalid\"", right).is_conforming());
+    let advised = with("\"ray/invalid\"", wrong);
+    assert!(!advised.is_conforming() && advised.faults[0].contains("only advised"), "{:?}", advised.faults);
+    // These need a feature that is not named.
+    let other = with("\"ray/invalid\",\"trace/tape\"", right);
+    assert!(!other.is_conforming() && other.faults[0].starts_with("trace/tape is named"), "{:?}", other.faults);
+}
+
 /// What others write is not repeated at length.
 #[test]
 fn long_answers_are_cut() {

@@ -5,11 +5,12 @@ mod reference;
 mod tests;
 mod trace;
 mod trees;
+mod words;
 
 use serde_json::{Value, json};
 
 use self::reference::Reference;
-use self::trace::{drawn, traces};
+use self::trace::{drawn, traced, traces};
 use self::trees::{chain, flat, random};
 use super::resume::moments;
 use super::{Author, result};
@@ -19,7 +20,7 @@ use crate::{Ask, Level, Profile, Start};
 pub(crate) use trees::levels_if_tree;
 
 pub(super) fn profiles() -> Vec<Profile> {
-    vec![traces(), invalid(), states(), keys()]
+    vec![traces(), invalid(), states(), keys(), deep_keys()]
 }
 
 const WIDTHS: [u32; 3] = [2, 4, 8];
@@ -69,6 +70,10 @@ fn invalid() -> Profile {
     case("later-out-of-range", "A child that there is not, after a leaf.", 8, &[Some(&[1, 2]), None, Some(&[3])]);
     case("later-twice", "A node in two slots, after a leaf.", 4, &[Some(&[1, 2]), None, Some(&[3, 3]), None]);
     case("later-root", "The root is the child of another, after a leaf.", 4, &[Some(&[1, 2]), None, Some(&[0])]);
+    for slots in WIDTHS {
+        let why = "This is a tree: not everything is rejected.";
+        traced(&mut author, &format!("right-{slots}"), why, flat(slots, &[Some(0), Some(8)]));
+    }
     author.done()
 }
 
@@ -133,12 +138,7 @@ fn state(author: &mut Author, name: &str, why: &str, walk: &WideWalk, run: &Refe
 /// `[WIDE-16]`
 fn keys() -> Profile {
     let mut author = Author::new(Level::Hash, "wide");
-    let mut case = |name: &str, slots: u32, children: WideChildren| {
-        let keys: Vec<_> = asked_for(slots, &children).iter().map(|key| format!("{key:x}")).collect();
-        let why = "Nodes with an inner child and another child beside it.";
-        let ask = Ask::HashedKeysWide { slots, children };
-        author.case(name, &["WIDE-9", "WIDE-16"], why, &ask, result([("keys", json!(keys))]));
-    };
+    let mut case = |name: &str, slots, children| hashed_keys(&mut author, name, slots, children);
     for slots in WIDTHS {
         case(&format!("empty-{slots}"), slots, flat(slots, &[]).children);
         case(&format!("leaves-{slots}"), slots, flat(slots, &vec![Some(0); slots as usize]).children);
@@ -158,10 +158,29 @@ fn keys() -> Profile {
     author.done()
 }
 
+/// Keys of more than 64 bits. `[WIDE-16]`
+fn deep_keys() -> Profile {
+    let mut author = Author::new(Level::Hash, "wide-deep");
+    for (slots, depths) in [(2, [64, 65, 126]), (4, [32, 33, 63]), (8, [22, 23, 42])] {
+        for levels in depths {
+            let children = chain(slots, levels, |level| 3 * level + 1, |_| true).children;
+            hashed_keys(&mut author, &format!("chain-{slots}-{levels}"), slots, children);
+        }
+    }
+    author.done()
+}
+
+fn hashed_keys(author: &mut Author, name: &str, slots: u32, children: WideChildren) {
+    let keys: Vec<_> = asked_for(slots, &children).iter().map(|key| format!("{key:x}")).collect();
+    let why = "Nodes with an inner child and another child beside it.";
+    let ask = Ask::HashedKeysWide { slots, children };
+    author.case(name, &["WIDE-9", "WIDE-16"], why, &ask, result([("keys", json!(keys))]));
+}
+
 /// By the definition, from the root down.
-fn asked_for(slots: u32, children: &WideChildren) -> Vec<u64> {
+fn asked_for(slots: u32, children: &WideChildren) -> Vec<u128> {
     let mut asked = Vec::new();
-    let mut open = vec![(1_u64, 0_u32)];
+    let mut open = vec![(1_u128, 0_u32)];
     while let Some((key, node)) = open.pop() {
         let Some(list) = &children[node as usize] else { continue };
         let has_inner = list.iter().any(|&child| children[child as usize].is_some());
@@ -169,7 +188,7 @@ fn asked_for(slots: u32, children: &WideChildren) -> Vec<u64> {
             asked.push(key);
         }
         let inner = (0..).zip(list).filter(|&(_, &child)| children[child as usize].is_some());
-        open.extend(inner.map(|(slot, &child)| (key * u64::from(slots) + slot, child)));
+        open.extend(inner.map(|(slot, &child)| (key * u128::from(slots) + slot, child)));
     }
     asked.sort_unstable();
     asked

@@ -2,6 +2,7 @@
 
 use super::reference::Reference;
 use super::trees::{chain, flat, levels_if_tree, random, told};
+use super::words::words;
 use super::{GREATEST, WIDTHS, left};
 use crate::ask::WideWalk;
 use crate::author::{Author, result};
@@ -19,6 +20,7 @@ pub(super) fn traces() -> Profile {
     for slots in WIDTHS {
         chains(&mut author, slots);
     }
+    words(&mut author);
     author.done()
 }
 
@@ -207,9 +209,9 @@ fn chains(author: &mut Author, slots: u32) {
     };
     // Beyond that words end that carry more levels of fewer slots.
     let deep: &[u32] = match slots {
-        2 => &[62, 63, 64, 65],
-        4 => &[41, 42],
-        _ => &[],
+        2 => &[62, 63, 64, 65, 127, 128],
+        4 => &[41, 42, 63, 64],
+        _ => &[42, 43],
     };
     for &levels in [1, 2, 3, 4, 7, 8, 9, 10, 15, 16, 17, 20, 21, 22, 31, 32, 33].iter().chain(deep) {
         let why = "From the bottom to the root's other children.";
@@ -231,7 +233,7 @@ fn chains(author: &mut Author, slots: u32) {
 }
 
 /// A case of a trace; what it is about follows from what happens.
-fn traced(author: &mut Author, name: &str, why: &str, walk: WideWalk) {
+pub(super) fn traced(author: &mut Author, name: &str, why: &str, walk: WideWalk) {
     let run = Reference::run(&walk);
     let clauses = clauses(&walk, &run);
     let mut fields = left(&walk, &run, 0);

@@ -41,6 +41,36 @@ pub(super) fn told(slots: u32, nodes: Nodes<'_>) -> WideWalk {
     }
 }
 
+/// The tree of a text, with a space between words. Brackets hold the children of an inner node, from slot 0 on. A child
+/// is the distance at which it begins, a multiple of 8; then come its own children, or `!` and the distance of its hit.
+pub(super) fn parsed(slots: u32, text: &str) -> WideWalk {
+    let (mut children, mut ranks, mut hits) = (vec![None], vec![None], vec![None]);
+    let mut path = Vec::new();
+    for word in text.split(' ') {
+        let new = children.len();
+        match (word, path.last()) {
+            ("(", _) => {
+                path.push(new - 1);
+                (children[new - 1], ranks[new - 1]) = (Some(vec![]), Some(vec![]));
+            }
+            (")", _) => drop(path.pop()),
+            (child, Some(&parent)) => {
+                let mut distances = child.split('!').map(|digits| digits.parse::<u32>().ok());
+                let list: &mut Vec<u32> = children[parent].get_or_insert_default();
+                let rank = distances.next().flatten().map(|begin| begin + list.len() as u32);
+                list.push(new as u32);
+                ranks[parent].get_or_insert_default().push(rank);
+                children.push(None);
+                ranks.push(None);
+                hits.push(distances.next().flatten());
+            }
+            (_, None) => {}
+        }
+    }
+    let hits = hits.iter().any(Option::is_some).then_some(hits);
+    WideWalk { slots, children, ranks, hits, ..WideWalk::default() }
+}
+
 /// A root with leaves that begin so far away.
 pub(super) fn flat(slots: u32, begins: &[Option<u32>]) -> WideWalk {
     let list: Vec<_> = (1..).zip(begins.iter().copied()).collect();
