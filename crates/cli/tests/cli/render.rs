@@ -62,7 +62,7 @@ fn colours_are_those_of_what_is_hit() {
     let turned =
         ["v -99 -9 9\nv 99 -9 9\nv 0 99 -99", "v -99 -9 0\nv 99 -9 0\nv 0 99 0", "v -99 9 9\nv 99 9 9\nv 0 -99 -99"];
     let middles = turned.map(|corners| {
-        let mesh = folder.file("turned.obj", &format!("{corners}\nf 1 2 3\n"));
+        let mesh = folder.file("turned.obj", format!("{corners}\nf 1 2 3\n"));
         stackless(&format!("render {view}"), &[&path, &mesh]).passes();
         let (.., pixels) = read(&path);
         assert_eq!(pixels[27], pixels[28]);
