@@ -4,7 +4,7 @@ use super::*;
 use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions, WideBvh};
 use crate::generate::draw::Draw;
 use crate::geom::Mesh;
-use crate::trace::{BinaryTracer, Tracer, Truth};
+use crate::trace::{BinaryTracer, Tracer, TrueHit, Truth};
 use crate::traverse::Method;
 use crate::wide;
 
@@ -29,12 +29,12 @@ fn accepted_hits_are_those_of_the_truth_by_every_traversal() {
     let wide = WideBvh::of(&bvh).expect("a wide tree");
     let count = mesh.triangles().len() as u32 / 3;
     // The last copy but that of some triangles, and hits of one half of each triangle.
-    let accepts_triangle = |prim: u32| prim >= count && prim % 5 != 0;
+    let accepts_triangle = |prim: u32| prim >= count && !prim.is_multiple_of(5);
     let accepts_hit = |hit: &Hit| hit.u > hit.v;
     let filter = Filter::ALL.triangles(&accepts_triangle).hits(&accepts_hit);
     let truth = Truth::new(&mesh);
     let is_accepted = |hit: &Hit| accepts_triangle(hit.prim) && accepts_hit(hit);
-    let all = |ray| truth.all(ray).iter().map(|hit| hit.rounded()).filter(is_accepted).collect::<Vec<_>>();
+    let all = |ray| truth.all(ray).iter().map(TrueHit::rounded).filter(is_accepted).collect::<Vec<_>>();
     let expected: Vec<_> = rays.iter().map(all).collect();
     assert!(expected.iter().filter(|hits| hits.len() > 2).count() > 20);
     let compare = |tracer: &dyn RayQueries<Ray, Hit = Hit>, name: &dyn fmt::Display| {
