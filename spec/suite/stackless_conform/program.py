@@ -11,7 +11,6 @@ import time
 
 from .judge import Flaw, judge, read_hello, read_reply, shown
 
-
 MOST_BYTES = 64 << 20  # of a line; what is longer is none
 
 
