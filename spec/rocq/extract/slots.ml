@@ -38,9 +38,13 @@ let rec after nodes start = function
 let search nodes b input =
   let start = (Json.int_or Search.never (Json.field "end" input), Json.hit input) in
   let sorted = Json.field "sorted" input <> `Bool false in
-  let ask path _ =
+  let ask path h =
     let node = find nodes path in
-    let wanted = Stdlib.List.concat (Stdlib.List.mapi (fun s r -> match r with Some r -> [ (s, r) ] | None -> []) node.ranks) in
+    (* No wanted child is beyond (WIDE-2). *)
+    let slots = 1 lsl Text.int_of_n b in
+    let is_wanted r = (not sorted) || r - (r mod slots) <= fst (after nodes start h) in
+    let of_slot s = function Some r when is_wanted r -> [ (s, r) ] | _ -> [] in
+    let wanted = Stdlib.List.concat (Stdlib.List.mapi of_slot node.ranks) in
     if sorted then Stdlib.List.map Text.n_of_int (Stdlib.List.sort compare (Stdlib.List.map snd wanted))
     else
       let leaves, inner = Stdlib.List.partition (fun (s, _) -> nodes.(Stdlib.List.nth node.kids s).leaf) wanted in
