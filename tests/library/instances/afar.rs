@@ -1,4 +1,4 @@
-//! Rays from afar into instances: they test as few triangles as others do, wherever they begin. `[INST-7]`
+//! Rays from far away into instances test no more triangles than other rays, from any origin. `[INST-7]`
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::Builder;
