@@ -4,10 +4,9 @@
 //! ([`Choose`]). There are three methods of running it:
 //!
 //! - by `proofs/kani.sh`: each choice is any value, and the claim is proved for all of them;
-//! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a
-//!   small
-//!   crate in place of Kani's;
-//! - by `cargo test -p proofs`: the choices are enumerated where they are few, and drawn where they are many.
+//! - by `proofs/cbmc/check.sh`: CBMC proves the claims for the library compiled to WebAssembly and from there to C,
+//!   with a small crate in place of Kani's;
+//! - by `cargo test -p proofs`: the choices are enumerated if they are few, and drawn if they are many.
 //!
 //! Each harness has a twin: its body with one planted mistake ([`Choose::PLANTED`]), which must be refuted. The
 //! assumptions of a harness must be satisfiable: each harness has a [`cover!`] that must be reached. `README.md` lists

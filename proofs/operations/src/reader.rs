@@ -19,7 +19,7 @@ pub(crate) struct Printed {
     pub(crate) name: String,
     /// Its name in Rocq.
     pub(crate) as_: String,
-    /// Which of its parameters' numbers are used.
+    /// Whether each of its parameters' numbers is used.
     pub(crate) uses: Vec<bool>,
 }
 
