@@ -1,4 +1,4 @@
-//! Trees deeper than a word: cut into pieces, and, in ray tracing, with the growing word and in pieces.
+//! Trees deeper than a word: divided into pieces, and, in ray tracing, with the growing word and in pieces.
 
 mod rays;
 

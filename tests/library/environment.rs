@@ -39,7 +39,7 @@ fn unfit_threads_are_refused() {
     }
 }
 
-/// Runs one of the tests below with these bits, on its thread, the next one, or all others.
+/// Runs one of the tests below with these bits, on its thread, the next one, or all remaining threads.
 fn run(library: &Path, test: &str, bits: &str) {
     let mut command = Command::new(std::env::current_exe().unwrap());
     command.args(["--exact", test, "--ignored"]).env("LD_PRELOAD", library).env("FLOATS", bits);

@@ -47,7 +47,7 @@ fn rays<V: Precision>(flat: &InstanceOracle<V>, rng: &mut Rng, n: usize) -> Vec<
     let (lo, hi) = all.fold((DVec3::MAX, DVec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
     let size = (hi - lo).max_element();
     let mut rays = Vec::new();
-    // If all corners are equal, some of these are not valid rays.
+    // If all corners are equal, a part of the rays is invalid.
     for _ in 0..4 * n {
         if rays.len() == n {
             break;
@@ -133,8 +133,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
             }
         }
     }
-    // All 21 traversals run alone and in pairs, over four kinds of trees, except that `complete` supports only one of
-    // these.
+    // All 21 traversals run alone and in pairs, over four kinds of trees. `complete` supports one kind.
     assert!(tracers >= 36 * (42 + 3 * 39), "{tracers}");
     assert!(asked > 1500 && hits > asked / 2 && deep > 50, "{hits} of {asked}, {deep}");
     assert!(several > asked / 10, "{several} of {asked}");
@@ -357,9 +356,9 @@ fn wide_meshes_have_the_state_of_their_traversal() {
     }
 }
 
-/// What bounds do not tell, exact sums do where maps leave the ray exact, and twice the digits where they hold images
-/// exactly or the ray passes beside the corners. Rationals are for an edge that is met in an image which is no triangle
-/// of doubles.
+/// Exact sums decide cases that bounds leave open if maps keep the ray exact. Double-double arithmetic decides them if
+/// maps enclose images exactly or the ray passes next to the corners. Rationals are for a hit edge of an image that is
+/// no triangle of doubles.
 #[test]
 fn rationals_are_for_what_is_met_and_not_known() {
     let turn = [[0.0, -1.0, 0.0, 1.0], [1.0, 0.0, 0.0, -2.0], [0.0, 0.0, 1.0, 0.5]];

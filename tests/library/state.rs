@@ -1,5 +1,5 @@
-//! What a traversal shows of its state: at every visit the trail is what is postponed, and nothing that it has is kept
-//! back.
+//! The visible state of a traversal: at every visit the trail equals the postponed nodes, and the whole state is
+//! visible.
 
 mod kept;
 
