@@ -191,7 +191,7 @@ fn small_case(bytes: &[u8]) -> Case {
     }
 }
 
-/// Draws a tree with a depth at the limit of a word, and nearly as many leaves as levels. Shape and tape are drawn from
+/// Draws a tree with a depth at the limit of a word, and nearly one leaf per level. Shape and tape are drawn from
 /// bytes or from a seed, so a few bytes suffice for a deep tree.
 fn deep_case(source: &mut impl Source) -> Case {
     let depth = match source.below(3) {
