@@ -1,5 +1,5 @@
-//! Speed of the comparison with the oracle, on one core: what every random test, fuzzer and `stackless check` waits
-//! for.
+//! Speed of the comparison with the oracle, on one core: the main cost of every random test, fuzzer and `stackless
+//! check`.
 //!
 //! An element is one comparison: one tree of up to 64 nodes, one traversal, one word. The oracle's own run and the
 //! tables of the traversals are part of the time, as they are of every check. `cargo bench --bench abstract`
@@ -11,14 +11,14 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Case, CaseOptions, Plan, Tally};
 
-/// Enough that the mix of families, sizes and tapes is that of a long run.
+/// Enough for the mix of families, sizes and tapes of a long run.
 const CASES: u64 = 2000;
 
 fn plan(methods: &[Method], words: &[WordName]) -> Plan {
     Plan { trees: CASES, seed: 1, options: CaseOptions::default(), methods: methods.to_vec(), words: words.to_vec() }
 }
 
-/// Number of comparisons; a traversal that differs from its oracle ends the benchmark.
+/// Returns the number of comparisons. A traversal that differs from its oracle ends the benchmark.
 fn compare(plan: &Plan, cases: &[Case]) -> u64 {
     let mut tally = Tally::default();
     for case in cases {
@@ -33,7 +33,7 @@ fn comparisons(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("comparisons");
     group.sample_size(10).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(3));
     let mut measure = |name: &str, plan: &Plan| {
-        // What a traversal refuses costs next to nothing and is not counted.
+        // Refusals cost almost nothing and are not counted.
         group.throughput(Throughput::Elements(compare(plan, &cases)));
         group.bench_function(name, |bencher| bencher.iter(|| compare(plan, black_box(&cases))));
     };
@@ -44,7 +44,7 @@ fn comparisons(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// The part of that which is not comparing: the case itself.
+/// The cost of generating the cases, without comparisons.
 fn cases(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("cases");
     group.sample_size(10).warm_up_time(Duration::from_secs(1)).measurement_time(Duration::from_secs(1));

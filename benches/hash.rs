@@ -1,4 +1,4 @@
-//! Construction of the perfect hash from 10^4 to 10^7 keys, on one thread: linear, if the throughput stays.
+//! Construction of the perfect hash from 10^4 to 10^7 keys, on one thread. Constant throughput means linear time.
 //!
 //! An element is one key. All nodes of uneven trees are hashed, with tight sizes; every table is certified before it is
 //! timed. `cargo bench --bench hash`

@@ -1,6 +1,6 @@
-//! Instructions of 1,000 rays by each traversal, and of the builder: the same on every run, so that a change of a
-//! hundredth shows. `cargo bench --bench instructions` needs valgrind and `cargo install gungraun-runner`; a count that
-//! is more than 2 % above that of the run before fails.
+//! Instructions of 1,000 rays with each traversal, and of the builder. Counts are equal on every run, so a change of
+//! one percent is visible. `cargo bench --bench instructions` needs valgrind and `cargo install gungraun-runner`. A
+//! count more than 2 % above that of the previous run fails.
 #![allow(missing_docs, missing_debug_implementations, reason = "macros make public items")]
 
 use std::hint::black_box;
@@ -23,7 +23,7 @@ fn mesh() -> Mesh {
     procedural::strands(1, 300)
 }
 
-/// Camera and diffuse rays, with the references in the records that a traversal wants.
+/// Returns camera and diffuse rays, with the links that a traversal needs in the records.
 fn scene(method: Method) -> (Method, &'static Scene) {
     let mesh = mesh();
     let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");

@@ -126,7 +126,7 @@ impl Search {
         Ok(search)
     }
 
-    /// The least distance is between these, and at `t` it is at most the second one.
+    /// Returns bounds of the least distance. The distance at `t` is at most the upper bound.
     pub(crate) fn distance(&self) -> [f64; 2] {
         [self.floor.min(self.best), self.best]
     }

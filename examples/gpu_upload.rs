@@ -22,13 +22,13 @@ struct Buffers {
     cells: Vec<u32>,
 }
 
-/// Makes the buffers of a scene.
+/// Builds the buffers of a scene.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::strands(1, 100);
     let bvh = Bvh::sah(&mesh, SahOptions::default())?.with_links(Recorded::Uncles);
     let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::Tight };
     let table = PerfectHash::build(&bvh, options)?;
-    // A table that came from elsewhere, a GPU say, is certified the same way, in linear time.
+    // A table from another source, such as a GPU, is also certified in linear time.
     hash::certify(&table, &bvh, options.key_set)?;
 
     let mut buffers = Buffers::default();

@@ -1,7 +1,7 @@
-//! Culling of hidden objects: what lies behind all that is drawn already is left out, with all that is below it.
+//! Culling of hidden objects: nodes behind all drawn objects are skipped.
 //!
-//! Front to back, so that what hides is drawn before what is hidden. (Binder & Keller 2016 name occlusion culling as
-//! another use of their traversal.)
+//! The traversal is front to back, so occluders are drawn before hidden objects. (Binder & Keller 2016 name occlusion
+//! culling as another use of their traversal.)
 //!
 //! `cargo run --release --example hidden_objects`
 
@@ -13,7 +13,7 @@ use stackless_bvh::tree::{Linked, Node, Topology, Tree};
 /// Pixels along each edge of the screen.
 const SIZE: usize = 64;
 
-/// A rectangle that faces the screen, or the screen's part behind which all objects of a node are.
+/// A rectangle parallel to the screen, or the part of the screen that contains all objects of a node, with its depth.
 #[derive(Clone, Copy)]
 struct Pane {
     lo: [usize; 2],
@@ -33,7 +33,7 @@ impl Pane {
     }
 }
 
-/// The screen: of each pixel the depth and the object, the nearest so far.
+/// The screen: for each pixel the depth and the index of the nearest object so far.
 type Screen = Vec<(u32, usize)>;
 
 fn draw(screen: &mut Screen, object: usize, pane: Pane) {
@@ -44,7 +44,7 @@ fn draw(screen: &mut Screen, object: usize, pane: Pane) {
 
 struct Scene {
     tree: Tree,
-    /// Of all nodes: inner ones first, then the objects.
+    /// The panes of all nodes: inner ones first, then the objects.
     panes: Vec<Pane>,
 }
 
@@ -61,7 +61,7 @@ struct Culling<'a> {
 }
 
 impl Culling<'_> {
-    /// Whether a pixel is left for what is behind the pane. At the same depth the object of the lower number is seen.
+    /// Returns whether the pane is visible at any pixel. At equal depth, the object with the lower index is visible.
     fn is_visible(&self, pane: Pane) -> bool {
         pane.pixels().any(|pixel| pane.depth <= self.screen[pixel].0)
     }
@@ -87,7 +87,8 @@ impl Visitor for Culling<'_> {
     }
 }
 
-/// 1024 panes in a row, the last in front. Eight in a row are about as deep, so that some are hidden by others of the same depth.
+/// Draws 1024 panes in a row, the last in front. Eight neighbours have similar depths, so some are hidden by panes of
+/// equal depth.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let count = 1024;
     let mut rng = Rng::new(1);

@@ -1,7 +1,8 @@
 //! Many lights, sampled by importance: one traversal carries all samples, each to one light.
 //!
-//! At each node the samples are shared out between the children in proportion to what each may contribute, and a child
-//! without samples is not entered. (Binder & Keller 2016 name many-light hierarchies as another use of their traversal.)
+//! At each node the samples are divided between the children in proportion to the possible contribution of each. A
+//! child without samples is not entered. (Binder & Keller 2016 name many-light hierarchies as another use of their
+//! traversal.)
 //!
 //! `cargo run --release --example many_lights`
 
@@ -10,7 +11,7 @@ use stackless_bvh::order::{Descent, Flow, Side, Visitor};
 use stackless_bvh::traverse::{Uncle, traverse};
 use stackless_bvh::tree::{Linked, Node, Topology, Tree};
 
-/// A light, or all lights below a node as one: where they are in the mean, and their power.
+/// A light, or the combination of all lights below a node: mean position and total power.
 #[derive(Clone, Copy)]
 struct Light {
     place: Vec3,
@@ -18,7 +19,7 @@ struct Light {
 }
 
 impl Light {
-    /// What it sends to a point. One is added, so that a light at the point does not outshine all others.
+    /// Returns its contribution at a point. Adding one prevents a light at the point from dominating.
     fn at(self, point: Vec3) -> f32 {
         self.power / (1.0 + self.place.distance_squared(point))
     }
@@ -29,7 +30,7 @@ impl Light {
     }
 }
 
-/// All lights in a complete tree, the children of node i at 2i + 1 and 2i + 2.
+/// All lights in a complete tree. The children of node i are 2i + 1 and 2i + 2.
 struct Hierarchy {
     tree: Tree,
     lights: Vec<Light>,
@@ -37,7 +38,7 @@ struct Hierarchy {
 }
 
 impl Hierarchy {
-    /// Which child a sample goes to, and with which probability.
+    /// Returns the child for a sample, and its probability.
     fn choose(&self, node: Node, sample: u32) -> (Side, f32) {
         let [left, right] = self.tree.children(node).map(|child| self.lights[child.index()].at(self.point));
         let share = left / (left + right);
@@ -45,10 +46,10 @@ impl Hierarchy {
     }
 }
 
-/// What every sample has chosen: its light, and the probability of that.
+/// The choice of every sample: its light, and the probability.
 type Chosen = Vec<Option<(usize, f32)>>;
 
-/// All samples on their way; those of a node wait until it is visited.
+/// All active samples. Those of a node wait until it is visited.
 struct Samples<'a> {
     hierarchy: &'a Hierarchy,
     waiting: Vec<Vec<(u32, f32)>>,
@@ -74,14 +75,14 @@ impl Visitor for Samples<'_> {
     }
 }
 
-/// A number from 0 to 1 for each sample at each node.
+/// Returns a number from 0 to 1 for each sample at each node.
 fn random(sample: u32, slot: u32) -> f32 {
     let mut x = (u64::from(sample) << 32 | u64::from(slot)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     ((x ^ x >> 31) >> 40) as f32 / (1 << 24) as f32
 }
 
-/// 1024 lights along a spiral, and 4096 samples for one point.
+/// Runs 4096 samples for one point, with 1024 lights along a spiral.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (count, samples) = (1024_u32, 4096_u32);
     let inner = count - 1;
@@ -102,7 +103,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let uncles = Linked::uncles(&hierarchy.tree);
     traverse(Uncle::<u32, _>::new(&uncles)?, &mut all, &mut ());
 
-    // The plain loop: each sample goes down from the root by itself.
+    // The plain loop: each sample descends from the root separately.
     let walk = |sample| {
         let (mut node, mut probability) = (hierarchy.tree.root(), 1.0);
         while !node.is_leaf() {

@@ -1,4 +1,4 @@
-//! The nearest triangles to a point, by the same traversals that trace rays.
+//! The nearest triangles to a point, with the traversals for rays.
 //!
 //! `cargo run --release --example nearest_point`
 
@@ -7,7 +7,7 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ball;
 use stackless_bvh::trace::{MeshQueries, Tracer};
 
-/// The distance from the corner of a cube to the soup in it.
+/// Computes the distance from the corner of a cube to the soup in it.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::soup(1, 2000);
     let tracer = Tracer::of(&mesh)?;

@@ -1,5 +1,5 @@
-//! The hits of a ray one by one, for transparent surfaces: none is lost or met twice, also where many have the same
-//! distance.
+//! The hits of a ray one by one, for transparent surfaces. None is missed or repeated, even if many have equal
+//! distances.
 //!
 //! `cargo run --release --example next_hits`
 
@@ -8,7 +8,7 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::{MeshQueries, RayQueries, Tracer};
 
-/// How much light comes through a soup of triangles, each of which lets nine tenths pass.
+/// Computes the light that passes through a soup of triangles, each of which transmits nine tenths.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mesh = procedural::soup(1, 2000);
     let tracer = Tracer::of(&mesh)?;
@@ -23,7 +23,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     println!("{light:.3} of the light is left after {} triangles: {passed:?}", passed.len());
 
-    // Going on until nothing is left gives what a single search for all hits gives.
+    // The sequence of next hits equals a single search for all hits.
     let all = tracer.all(&ray).into_iter().map(|hit| hit.prim);
     assert!(all.take(passed.len()).eq(passed));
     Ok(())

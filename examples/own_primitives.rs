@@ -1,4 +1,4 @@
-//! Rays through spheres: any shape that has a box can be built over, and traced with a test of its own.
+//! Rays through spheres: a hierarchy of custom shapes with bounds, and a custom test.
 //!
 //! `cargo run --release --example own_primitives`
 
@@ -18,13 +18,13 @@ struct Sphere {
 
 impl Bounded for Sphere {
     fn aabb(&self) -> Aabb {
-        // One float further on each side, so that rounding does not make the box too small.
+        // One float further on each side, so rounding cannot make the box too small.
         let [lo, hi] = [self.center - self.radius, self.center + self.radius];
         Aabb { lo: lo.map(f32::next_down), hi: hi.map(f32::next_up) }
     }
 }
 
-/// A ray that meets spheres from outside.
+/// A ray that hits spheres from outside.
 #[derive(Clone, Copy, Debug)]
 struct SphereTest(Ray);
 
@@ -43,18 +43,18 @@ impl Kernel for SphereTest {
         let to_center = sphere.center.as_dvec3() - ray.origin().as_dvec3();
         let along = direction.dot(to_center) / direction.length_squared();
         let miss = (to_center - direction * along).length_squared();
-        // Not a number where the ray misses, which no comparison holds for.
+        // NaN if the ray misses: every comparison with it is false.
         let t = (along - ((radius * radius - miss) / direction.length_squared()).sqrt()) as f32;
         (ray.tmin() <= t && t <= tmax).then_some(t)
     }
 
-    /// Where on the shape the hit is; spheres have no corners to weigh.
+    /// Returns the position of the hit on the shape. Spheres have no corners, hence no weights.
     fn weights(&self, _: &Sphere) -> [f32; 2] {
         [0.0; 2]
     }
 }
 
-/// Spheres on a grid, and one ray along a row of them.
+/// Traces one ray along a row of spheres on a grid.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let place = |i: u32| Vec3::new((i % 100) as f32, (i / 100) as f32, 0.0);
     let spheres: Vec<_> = (0..10_000).map(|i| Sphere { center: place(i), radius: 0.3 }).collect();

@@ -1,4 +1,4 @@
-//! The tests of `stackless-bvh` from outside, beside this file, and the programs of the book.
+//! The external tests of `stackless-bvh`, in this folder, and the programs of the book.
 
 /// The programs of the book.
 #[cfg(doctest)]

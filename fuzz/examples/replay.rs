@@ -1,7 +1,7 @@
 //! Runs inputs through their targets, without a fuzzer: `replay FOLDER...`, each with a folder of inputs for every
 //! target.
 //!
-//! This is what coverage is measured of, and what a finding is looked at with: `replay TARGET FILE`.
+//! Coverage is measured with this program. `replay TARGET FILE` runs a finding.
 
 use std::path::Path;
 use std::{env, fs};

@@ -1,7 +1,7 @@
 //! Writes the seeds of all targets: `seeds FOLDER`.
 //!
-//! Files of each format that is read, of every kind; and for the other targets, which read choices from any bytes, a
-//! few inputs of various lengths. They are the same on every machine.
+//! The seeds are valid files of each format, of every kind. Targets that read choices from any bytes get a few inputs
+//! of various lengths. The seeds are equal on every machine.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -49,13 +49,13 @@ fn seeds(target: Target) -> Vec<Vec<u8>> {
         "replay" => {
             let random = random(target, &[16, 64]);
             let cases = random.iter().map(|bytes| json(&Case::draw(&mut Unstructured::new(bytes), 5)));
-            // Not trees: empty, a child that is not there, one that is there twice, and one that nobody has.
+            // Invalid trees: empty, with a missing child, with a duplicate child, and with a node without a parent.
             let not_trees = ["[]", "[[1,2]]", "[[1,1],null]", "[null,null]"];
             let not_trees = not_trees.map(|tree| format!("{{\"children\":{tree},\"cells\":[]}}").into_bytes());
             cases.chain(random.clone()).chain(not_trees).collect()
         }
         "bvh_bytes" => {
-            // Behind the choices: the fourth kind takes all bytes as they are.
+            // After the choices: the fourth kind uses all bytes unchanged.
             let bvh = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
             let whole = [&[3; 1][..], &[1; 159], &bvh.to_bytes()].concat();
             random(target, &[100, 170, 180, 200, 220]).into_iter().chain([whole]).collect()
@@ -106,7 +106,7 @@ fn binary(mesh: &Mesh, is_little: bool) -> Vec<u8> {
     bytes
 }
 
-/// Numbers of every type, other elements and other lists, and a polygon.
+/// Encodes numbers of every type, other elements and other lists, and a polygon.
 fn polygons() -> Vec<u8> {
     b"ply\rformat ascii 1.0\robj_info x\relement other 1\rproperty list short uint a\rproperty double b\rproperty ushort c\r\
       element vertex 4\rproperty double z\rproperty char y\rproperty short x\rproperty uchar red\r\
@@ -127,7 +127,7 @@ fn stl(mesh: &Mesh) -> Vec<u8> {
     bytes
 }
 
-/// Two nodes with one mesh, of a triangle, with these members of the primitive and of the upper node.
+/// Encodes two nodes that share one mesh, a triangle, with these members of the primitive and of the upper node.
 fn gltf(primitive: &str, node: &str) -> Vec<u8> {
     // Corners 0 0 0, 1 0 0, 0 1 0 as floats, indices 0 1 2 as bytes.
     let data = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEC";

@@ -1,4 +1,4 @@
-//! Numbers, rays and meshes from bytes: few choices that matter cost few bytes, and what was drawn before comes again.
+//! Numbers, rays and meshes from bytes. Few bytes decide the important choices, and earlier numbers are repeated.
 
 use arbitrary::Unstructured;
 use glam::{DVec3, Vec3};
@@ -8,7 +8,7 @@ use stackless_bvh::geom::{Mesh, Ray};
 /// Draws from the bytes of a fuzzer.
 pub(crate) struct Draw<'a> {
     bytes: Unstructured<'a>,
-    /// The numbers so far, to meet again.
+    /// The numbers so far, for repetition.
     drawn: Vec<f64>,
 }
 
@@ -42,12 +42,12 @@ impl<'a> Draw<'a> {
         Self { bytes: Unstructured::new(bytes), drawn: Vec::new() }
     }
 
-    /// One of these.
+    /// Draws one of the choices.
     pub(crate) fn one_of<T: Copy, const N: usize>(&mut self, choices: [T; N]) -> T {
         choices[self.below(N as u64) as usize]
     }
 
-    /// A finite number in single precision.
+    /// Draws a finite number in single precision.
     pub(crate) fn float(&mut self) -> f32 {
         let number = self.number();
         let number = if number.abs() <= f64::from(f32::MAX) { number as f32 } else { 1.0 };
@@ -55,7 +55,7 @@ impl<'a> Draw<'a> {
         number
     }
 
-    /// A finite number.
+    /// Draws a finite number.
     pub(crate) fn double(&mut self) -> f64 {
         let number = match self.below(8) {
             0 => f64::from_bits(self.below(u64::MAX)),
@@ -76,7 +76,7 @@ impl<'a> Draw<'a> {
             5 => f32::from_bits(self.below(1 << 32) as u32).into(),
             6 => (self.small() + 1.0) * 2f64.powi(self.below(276) as i32 - 149),
             7 => self.again(),
-            // A few floats beside one of before.
+            // A few floats away from an earlier one.
             _ => {
                 let (by, number) = (self.below(7) as i32 - 3, self.again() as f32);
                 f32::from_bits(number.to_bits().wrapping_add_signed(by)).into()
@@ -84,13 +84,13 @@ impl<'a> Draw<'a> {
         }
     }
 
-    /// A whole number from -8 to 8.
+    /// Draws an integer from -8 to 8.
     fn small(&mut self) -> f64 {
         let number = self.below(17) as f64;
         if number > 8.0 { 8.0 - number } else { number }
     }
 
-    /// A number from before, or its opposite.
+    /// Draws an earlier number, or its negation.
     fn again(&mut self) -> f64 {
         let count = self.drawn.len() as u64;
         let number = self.drawn.get(self.bytes.below(count.max(1)) as usize).copied().unwrap_or(1.0);
@@ -105,12 +105,12 @@ impl<'a> Draw<'a> {
         DVec3::new(self.double(), self.double(), self.double())
     }
 
-    /// Numbers of such size that nothing overflows.
+    /// Draws coordinates that cannot overflow.
     pub(crate) fn tame_point(&mut self) -> Vec3 {
         self.point().clamp(Vec3::splat(-1e6), Vec3::splat(1e6))
     }
 
-    /// Where a ray begins and ends.
+    /// Draws the interval of a ray.
     fn interval(&mut self) -> [f32; 2] {
         match self.below(4) {
             0 | 1 => [0.0, f32::INFINITY],
@@ -122,7 +122,7 @@ impl<'a> Draw<'a> {
         }
     }
 
-    /// A ray, often at a point with simple weights of one of these triangles.
+    /// Draws a ray, often at a point with simple weights of one of these triangles.
     pub(crate) fn ray(&mut self, aims: &[[Vec3; 3]]) -> Option<Ray> {
         let origin = self.point();
         let direction = self.aim(aims, origin);
@@ -130,7 +130,7 @@ impl<'a> Draw<'a> {
         Ray::within(origin, direction, tmin, tmax).ok()
     }
 
-    /// A ray in double precision.
+    /// Draws a ray in double precision.
     pub(crate) fn ray_64(&mut self, [a, b, c]: [DVec3; 3]) -> Option<Ray<DVec3>> {
         let origin = self.point_64();
         let direction = if self.below(4) == 0 {
@@ -159,26 +159,26 @@ impl<'a> Draw<'a> {
         a + (b - a) * u + (c - a) * (v * (1.0 - u)) - origin
     }
 
-    /// Rays at the triangles of a mesh.
+    /// Draws rays at the triangles of a mesh.
     pub(crate) fn rays(&mut self, mesh: &Mesh, most: u64) -> Vec<Ray> {
         let aims: Vec<_> = (0..mesh.triangles().len()).map(|prim| mesh.triangle(prim)).collect();
         (0..=self.below(most)).filter_map(|_| self.ray(&aims)).collect()
     }
 
-    /// A mesh of a few triangles over a few vertices, so that edges are shared and some triangles degenerate.
+    /// Draws a mesh of a few triangles over a few vertices, so edges are shared and some triangles are degenerate.
     pub(crate) fn mesh(&mut self, most: u64) -> Option<Mesh> {
         let triangles = self.triangles(most);
         let vertices = self.vertices(&triangles);
         Mesh::new(vertices, triangles).ok()
     }
 
-    /// The corners of up to `most` triangles.
+    /// Draws the corners of up to `most` triangles.
     pub(crate) fn triangles(&mut self, most: u64) -> Vec<[u32; 3]> {
         let (count, vertices) = (1 + self.below(most), 3 + self.below(most + 8));
         (0..count).map(|_| [(); 3].map(|()| self.below(vertices) as u32)).collect()
     }
 
-    /// As many vertices as these triangles have.
+    /// Draws the vertices that these triangles need.
     pub(crate) fn vertices(&mut self, triangles: &[[u32; 3]]) -> Vec<Vec3> {
         let count = triangles.iter().flatten().max().map_or(1, |&last| last + 1);
         let is_tame = self.coin();
@@ -186,7 +186,7 @@ impl<'a> Draw<'a> {
     }
 }
 
-/// Valid bytes with changes: each takes a place, two bytes of it, and what stands there after.
+/// Changes valid bytes. Each change reads an offset and two bytes, and then the new value.
 pub(crate) fn patched(source: &mut impl Source, mut bytes: Vec<u8>) -> Vec<u8> {
     for _ in 0..source.below(6) {
         let at = source.below(bytes.len().max(1) as u64) as usize;

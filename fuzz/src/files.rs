@@ -8,22 +8,22 @@ use stackless_scene::{MeshFormat, check_mesh_file, check_row_file};
 use super::draw::patched;
 use super::{right, said, traversals};
 
-/// A PLY file.
+/// Reads a PLY file.
 pub(crate) fn ply(bytes: &[u8]) {
     mesh(bytes, MeshFormat::Ply);
 }
 
-/// An OBJ file.
+/// Reads an OBJ file.
 pub(crate) fn obj(bytes: &[u8]) {
     mesh(bytes, MeshFormat::Obj);
 }
 
-/// An STL file.
+/// Reads an STL file.
 pub(crate) fn stl(bytes: &[u8]) {
     mesh(bytes, MeshFormat::Stl);
 }
 
-/// A glTF file.
+/// Reads a glTF file.
 pub(crate) fn gltf(bytes: &[u8]) {
     mesh(bytes, MeshFormat::Gltf);
 }
@@ -32,12 +32,12 @@ fn mesh(bytes: &[u8], format: MeshFormat) {
     right(check_mesh_file(bytes, format), bytes.escape_ascii());
 }
 
-/// A file of rays.
+/// Reads a file of rays.
 pub(crate) fn rays(bytes: &[u8]) {
     right(check_row_file(bytes), bytes.escape_ascii());
 }
 
-/// A case as JSON: any text, or that of a case, changed. What is accepted is a case like any other, and comes back.
+/// Reads a case as JSON: any text, or a changed valid case. An accepted case is valid and survives a round trip.
 pub(crate) fn replay(bytes: &[u8]) {
     let text = if bytes.first() == Some(&b'{') {
         bytes.to_vec()

@@ -1,4 +1,4 @@
-//! Targets of the geometric tests, each against rational arithmetic.
+//! Targets of the geometric tests, compared with rational arithmetic.
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
@@ -12,7 +12,7 @@ use stackless_check::{Solids, check_degenerate, check_distance, check_nearest, c
 use super::draw::Draw;
 use super::right;
 
-/// The exact triangle tests, in single and in double precision. `[EXACT-1]` `[EXACT-7]`
+/// Checks the exact triangle tests, in single and in double precision. `[EXACT-1]` `[EXACT-7]`
 pub(crate) fn triangle(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     if draw.coin() {
@@ -31,7 +31,7 @@ pub(crate) fn triangle(bytes: &[u8]) {
     }
 }
 
-/// All box tests. `[BOX-2]` `[BOX-3]` `[BOX-6]` `[INST-4]`
+/// Checks all box tests. `[BOX-2]` `[BOX-3]` `[BOX-6]` `[INST-4]`
 pub(crate) fn slabs(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let points = [(); 4].map(|()| draw.point());
@@ -57,15 +57,15 @@ pub(crate) fn slabs(bytes: &[u8]) {
     }
 }
 
-/// Distances and nearest points of triangles, and the nearest of a mesh, in single and in double precision. `[NEAR-1]`
-/// `[NEAR-2]` `[NEAR-3]`
+/// Checks distances and nearest points of triangles, and the nearest triangles of a mesh, in single and in double
+/// precision. `[NEAR-1]` `[NEAR-2]` `[NEAR-3]`
 pub(crate) fn nearest(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let (k, radius) = (draw.below(6) as usize, if draw.coin() { draw.float().abs() } else { f32::INFINITY });
     let point = draw.point();
     let Some(mesh) = draw.mesh(9) else { return };
     all_near(&mesh, point, radius, k);
-    // Numbers of the mesh, and others.
+    // Numbers of the mesh, and new ones.
     let mut wider = |point: Vec3| if draw.coin() { point.widen() } else { draw.point_64() };
     let (vertices, point) = (mesh.vertices().iter().map(|&vertex| wider(vertex)).collect(), wider(point));
     let radius = if draw.coin() { draw.double().abs() } else { f64::INFINITY };
@@ -73,7 +73,7 @@ pub(crate) fn nearest(bytes: &[u8]) {
     all_near(&mesh, point, radius, k);
 }
 
-/// Points inside, outside and on tetrahedra, against integers. `[CLOSED-2]` `[WINDING-1]`
+/// Checks points inside, outside and on tetrahedra, compared with integers. `[CLOSED-2]` `[WINDING-1]`
 pub(crate) fn solids(bytes: &[u8]) {
     let solids = Solids::draw(&mut Draw::new(bytes), 5);
     right(solids.check::<Vec3>(), format_args!("{solids:?}"));

@@ -19,7 +19,8 @@ use stackless_check::{
 use super::draw::{Draw, patched};
 use super::right;
 
-/// Every builder on a small mesh of wild numbers: sound, and right about rays. `[DET-1]`
+/// Checks every builder on a small mesh of arbitrary numbers: the hierarchy is valid and answers rays correctly.
+/// `[DET-1]`
 pub(crate) fn builders(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let options = options(&mut draw);
@@ -48,7 +49,7 @@ fn mesh_64(draw: &mut Draw<'_>, most: u64) -> Option<Mesh<DVec3>> {
     Mesh::new((0..count).map(|_| draw.point_64()).collect(), triangles).ok()
 }
 
-/// Hierarchies that take on other vertices. `[BUILD-7]`
+/// Refits hierarchies to other vertices. `[BUILD-7]`
 pub(crate) fn refit(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(&mut draw) };
@@ -68,7 +69,8 @@ pub(crate) fn refit(bytes: &[u8]) {
     }
 }
 
-/// Bytes that may be a hierarchy: those of one, changed, and any; mostly with a right checksum. `[FILE-5]` `[FILE-8]`
+/// Reads bytes that may be a hierarchy: valid ones, changed ones, and any; mostly with a valid checksum. `[FILE-5]`
+/// `[FILE-8]`
 pub(crate) fn bvh_bytes(bytes: &[u8]) {
     let (head, rest) = bytes.split_at(bytes.len().min(160));
     let mut draw = Draw::new(head);
@@ -99,13 +101,13 @@ pub(crate) fn bvh_bytes(bytes: &[u8]) {
             assert_eq!(closest, all, "{file:?}\n{ray:?}");
         }
     }
-    // No file is one of both kinds of numbers.
+    // No file is valid in both precisions.
     if let Ok(bvh) = Bvh::<Triangle<DVec3>>::from_bytes(&file) {
         assert!(bvh.to_bytes() == file, "another file than was read: {file:?}");
     }
 }
 
-/// Placed objects in groups, against all triangles moved one by one. `[INST-1]` `[INST-6]`
+/// Compares placed objects in groups with all triangles transformed one by one. `[INST-1]` `[INST-6]`
 pub(crate) fn instances(bytes: &[u8]) {
     let mut draw = Draw::new(bytes);
     let ray_64 = |draw: &mut Draw<'_>, aims: &[[DVec3; 3]]| {
@@ -119,7 +121,7 @@ pub(crate) fn instances(bytes: &[u8]) {
     }
 }
 
-/// In either precision: what draws a mesh, a number, and a ray at one of some triangles.
+/// Checks instances in a precision, with functions that draw a mesh, a number, and a ray at one of some triangles.
 fn placed<'a, V: Precision>(
     draw: &mut Draw<'a>,
     mesh: impl Fn(&mut Draw<'a>) -> Option<Mesh<V>>,
@@ -141,7 +143,7 @@ fn placed<'a, V: Precision>(
     }
     let wide = draw.coin().then(|| WideOptions { max_leaf: draw.one_of([8, 1, 4, 15]), ..WideOptions::default() });
     let Ok(hierarchies) = Hierarchies::new(&shapes, options, wide.as_ref()) else { return };
-    // Images beyond the range of floats are refused.
+    // Images beyond the range of floats are rejected.
     let Ok((assembly, objects)) = hierarchies.assembly(&shapes) else { return };
     let Some(&root) = objects.last() else { return };
     let [groups, meshes] = [groups, meshes].map(|i| Method::ALL[i as usize]);
@@ -164,7 +166,7 @@ fn placed<'a, V: Precision>(
     }
 }
 
-/// Rays that begin where others have hit. `[SECOND-1]` `[SECOND-2]`
+/// Checks rays that begin at hits of other rays. `[SECOND-1]` `[SECOND-2]`
 fn path(draw: &mut Draw<'_>) {
     let method = draw.one_of(Method::ALL);
     let options = BuildOptions { builder: draw.one_of(Builder::ALL), ..options(draw) };
@@ -196,7 +198,7 @@ fn path(draw: &mut Draw<'_>) {
     );
 }
 
-/// A map of an axis onto an axis, or any; the identity where the numbers have no inverse.
+/// Draws a map of axes to axes, or any map; the identity if the numbers have no inverse.
 fn affine<'a, R: Real>(draw: &mut Draw<'a>, number: impl Fn(&mut Draw<'a>) -> R) -> AffineMap<R> {
     let rows = if draw.coin() {
         [(); 3].map(|()| [(); 4].map(|()| number(draw)))
@@ -226,7 +228,7 @@ fn options(draw: &mut Draw<'_>) -> BuildOptions {
     }
 }
 
-/// Trees of two and of eight children, or nothing where the options forbid the former.
+/// Builds trees of two and of eight children; `None` if the options exclude the binary tree.
 fn built<V: Precision>(mesh: &Mesh<V>, options: BuildOptions) -> Option<(Bvh<Triangle<V>>, WideBvh<8, V>)> {
     let SahOptions { max_leaf, depth_limit } = options.sah;
     match options.build(mesh) {
@@ -240,7 +242,7 @@ fn built<V: Precision>(mesh: &Mesh<V>, options: BuildOptions) -> Option<(Bvh<Tri
     }
 }
 
-/// The file with the checksum that it should have: what a reader finds behind it is what is to be tested.
+/// Corrects the checksum of a file, so the reader continues to the checks after it.
 fn sealed(mut file: Vec<u8>) -> Vec<u8> {
     if let Some((content, sum)) = file.split_last_chunk_mut() {
         *sum = checksum(content).to_le_bytes();

@@ -1,4 +1,4 @@
-//! The target of keys, trails and swaps: the literal formulas, and every word by the widest one.
+//! The target of keys, trails and swaps: compares with the literal formulas, and every word with the widest one.
 
 use std::collections::HashSet;
 
@@ -7,15 +7,15 @@ use stackless_bvh::generate::Source;
 use stackless_bvh::key::{self, Grow, KeyWord};
 use stackless_bvh::{swap, trail};
 
-/// A key, a trail below its depth and any mask, in all words that carry them. `[SWAP-2]` `[SWAP-4]` `[TRAIL-4]`
-/// `[TRAIL-5]`
+/// Checks a key, a trail below its depth and any mask, in all words that can represent them. `[SWAP-2]` `[SWAP-4]`
+/// `[TRAIL-4]` `[TRAIL-5]`
 pub(crate) fn keys(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let depth = source.below(200) as u32;
     let mut bits = |count: u32| (0..count).map(|_| source.coin()).collect::<Vec<_>>();
     let (key, trail, mask) = (bits(depth), bits(depth), bits(depth + 1));
     let grown = forms::<Grow>(&key, &trail, &mask);
-    // Equal words have one hash and one text.
+    // Equal words have equal hashes and texts.
     let [one, other] =
         [(); 2].map(|()| key.iter().fold(key::root::<Grow>(), |key, &bit| key::child(key, Grow::from_bit(bit))));
     assert_eq!(format!("{one:?}"), format!("{other:?}"));
@@ -31,7 +31,7 @@ pub(crate) fn keys(bytes: &[u8]) {
     }
 }
 
-/// What comes of backtracking and of the swaps, as text: every word says its bits alike.
+/// Formats the results of backtracking and of the swaps. All words format equal bits equally.
 fn forms<W: KeyWord>(key: &[bool], trail: &[bool], mask: &[bool]) -> [String; 4] {
     let word = |bits: &[bool]| bits.iter().fold(W::zero(), |word, &bit| word.shl1().or(&W::from_bit(bit)));
     let key = key.iter().fold(key::root::<W>(), |key, &bit| key::child(key, W::from_bit(bit)));

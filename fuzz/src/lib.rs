@@ -1,8 +1,8 @@
-//! What each fuzz target does with its bytes: a few lines that turn them into the input of a property body of the
-//! library ([`stackless_check`]), and stop if it finds a fault.
+//! The fuzz targets: a few lines that convert bytes to the input of a property body of the library
+//! ([`stackless_check`]), and panic if it finds a fault.
 //!
-//! This is all plain Rust. The targets of libFuzzer, the seeds, the coverage and `tests/library/regressions.rs` all run
-//! these functions.
+//! This crate is plain Rust. The targets of libFuzzer, the seeds, the coverage and `tests/library/regressions.rs` all
+//! run these functions.
 
 mod draw;
 mod files;
@@ -15,14 +15,14 @@ mod wide;
 
 use std::fmt::Display;
 
-/// A fuzz target: its name, what it does, and the greatest length of its input in bytes.
+/// A fuzz target: its name, its function, and the greatest length of its input in bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// Name of the binary, of its folder of seeds, and of those of its findings.
+    /// Name of the binary, of its folder of seeds, and of its folder of findings.
     pub name: &'static str,
     /// Panics if there is a fault.
     pub run: fn(&[u8]),
-    /// What the input is cut to: more would take longer and find nothing else.
+    /// The maximum length of the input. Longer inputs take more time and find no more faults.
     pub longest: usize,
 }
 
@@ -60,22 +60,22 @@ const fn target(name: &'static str, run: fn(&[u8]), longest: usize) -> Target {
     Target { name, run, longest }
 }
 
-/// Runs the target of this name, as all its users do.
+/// Runs the target of this name.
 ///
 /// # Panics
-/// If there is no such target, or a fault.
+/// If there is no such target, or it finds a fault.
 pub fn run(name: &str, bytes: &[u8]) {
     let target = TARGETS.iter().find(|target| target.name == name);
     let Target { run, longest, .. } = target.unwrap_or_else(|| panic!("no target has the name {name:?}"));
     run(&bytes[..bytes.len().min(*longest)]);
 }
 
-/// The value, or the fault with what it is about.
+/// Returns the value. Panics with the fault and its subject otherwise.
 fn right<T, E: Display>(result: Result<T, E>, about: impl Display) -> T {
     result.unwrap_or_else(|fault| panic!("{fault}\n{about}"))
 }
 
-/// That a refusal says why, in one line.
+/// Checks that an error message is one line.
 fn said(refusal: impl Display) {
     let message = refusal.to_string();
     assert!(!message.is_empty() && !message.contains(['\n', '\r']), "not a message of one line: {message:?}");

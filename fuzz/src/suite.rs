@@ -1,4 +1,4 @@
-//! The conformance suite as seen by whoever answers and whoever asks.
+//! Targets of the conformance suite, for implementations and for runners.
 
 use arbitrary::Unstructured;
 use serde_json::{Map, Value};
@@ -11,7 +11,7 @@ use super::draw::patched;
 use super::{right, said};
 use stackless_bvh::generate::Source;
 
-/// A line of a runner: any text, or a case of the suite, changed. What is answered is an answer.
+/// Answers a line of a runner: any text, or a changed case of the suite. Every answer is well-formed.
 pub(crate) fn requests(bytes: &[u8]) {
     let line = if bytes.first() == Some(&b'{') { bytes.to_vec() } else { changed(&mut Unstructured::new(bytes)) };
     let mut said = Vec::new();
@@ -24,8 +24,7 @@ pub(crate) fn requests(bytes: &[u8]) {
     }
 }
 
-/// A case and an answer, both any text or a right one, changed: they are judged, whatever they are. A right answer is
-/// right.
+/// Judges a case and an answer, each arbitrary text or a changed valid one. A right answer must pass.
 pub(crate) fn answers(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let profiles = some_profiles();
@@ -43,11 +42,11 @@ pub(crate) fn answers(bytes: &[u8]) {
     }
 }
 
-/// Names of profiles: few changes of bytes make a path.
+/// Names of profiles. Few changed bytes make a path of them.
 const NAMES: [&str; 6] = ["u64", "../u32", "u32/../../x", "", "U32", "u32\\u0000"];
 
-/// The files of a small suite and a list of waivers, changed: what is accepted has files within its folder, and is read
-/// back from them.
+/// Reads the files of a small suite and a list of waivers, changed. An accepted suite has its files within its folder,
+/// and survives a round trip.
 pub(crate) fn suite_files(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let mut files = small_suite().files();
@@ -86,7 +85,7 @@ fn read(files: &[(String, String)]) -> Result<Suite, SuiteError> {
     })
 }
 
-/// Two profiles with a case each, which need not be made.
+/// Returns two profiles with a case each, which need no generation.
 fn small_suite() -> Suite {
     let case = |profile: &str| SuiteCase {
         id: format!("key/{profile}/child-left"),
@@ -118,7 +117,7 @@ fn line(level: Level, profile: &str, input: &Map<String, Value>) -> Vec<u8> {
     request.to_string().into_bytes()
 }
 
-/// Cases that are small: made once.
+/// Returns the small cases, generated once.
 fn some_profiles() -> &'static [Profile] {
     static PROFILES: std::sync::OnceLock<Vec<Profile>> = std::sync::OnceLock::new();
     PROFILES.get_or_init(|| {

@@ -18,11 +18,11 @@ use stackless_check::{
 use super::draw::patched;
 use super::{right, said};
 
-/// Every traversal in every word on a small tree under a drawn tape. `[CONF-1]`
+/// Checks every traversal in every word on a small tree with a drawn tape. `[CONF-1]`
 pub(crate) fn traversals(bytes: &[u8]) {
     let case = small_case(bytes);
     check(&case, &Method::ALL);
-    // As events, the oracle's visits are the same nodes.
+    // The oracle's events have the nodes of its visits.
     let (mut trace, mut search) = (Trace::default(), Search::new(&case.tree, &case.tape, case.any));
     oracle::traverse(&case.tree, &mut search, &mut trace);
     let keys = Keys::of(&case.tree);
@@ -33,16 +33,16 @@ pub(crate) fn traversals(bytes: &[u8]) {
     assert!(visited.eq(trace.nodes().iter().copied()), "{case:?}");
 }
 
-/// The same on a tree of a depth at which a word ends.
+/// Checks every traversal on a tree with a depth at the limit of a word.
 pub(crate) fn deep(bytes: &[u8]) {
     let case = deep_case(&mut Unstructured::new(bytes));
     check(&case, &Method::ALL);
-    // The narrowest word that is said to carry a tree does.
+    // The narrowest supported word is sufficient.
     let narrowest = WordName::narrowest(case.tree.depth());
     let mut battery = Battery::new(&case, &[Method::Hashed]);
     let verdict = battery.check(Method::Hashed, narrowest);
     assert!(matches!(verdict, Verdict::Agrees { .. }), "{narrowest}: {verdict:?} {case:?}");
-    // Without its tables, or in a word that is too narrow or does not exist, a traversal says so.
+    // Without its tables, or with a word that is too narrow or unsupported, a traversal returns an error.
     for (method, word) in [
         (Method::Hashed, WordName::U32),
         (Method::Glassner, WordName::U32),
@@ -54,7 +54,7 @@ pub(crate) fn deep(bytes: &[u8]) {
             said(unfit);
         }
     }
-    // Where it has an address, every node is at its key minus one.
+    // If the layout exists, every node is at its key minus one.
     match Implicit::of(&case.tree) {
         Err(refusal) => said(refusal),
         Ok(layout) => {
@@ -67,7 +67,7 @@ pub(crate) fn deep(bytes: &[u8]) {
     }
 }
 
-/// A deep tree in pieces. `[DEPTH-4]`
+/// Checks a deep tree in pieces. `[DEPTH-4]`
 pub(crate) fn pieces(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let case = if source.coin() { deep_case(&mut source) } else { Case::draw(&mut source, Case::LEAVES) };
@@ -79,7 +79,7 @@ pub(crate) fn pieces(bytes: &[u8]) {
     }
 }
 
-/// Every traversal that can be put aside, at every step and in every way. `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-4]`
+/// Pauses every traversal at every step, and resumes it by every method. `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-4]`
 pub(crate) fn pauses(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let word = source.below(4);
@@ -96,7 +96,7 @@ pub(crate) fn pauses(bytes: &[u8]) {
     }
 }
 
-/// Bytes that may be states: right ones, made-up ones with a right checksum, and any. `[PAUSE-6]`
+/// Reads bytes that may be states: valid ones, forged ones with a valid checksum, and any. `[PAUSE-6]`
 pub(crate) fn states(bytes: &[u8]) {
     let (head, rest) = bytes.split_at(bytes.len().min(12));
     let mut source = Unstructured::new(head);
@@ -110,7 +110,7 @@ pub(crate) fn states(bytes: &[u8]) {
     }
 }
 
-/// A perfect hash, of any set of keys and sizing. `[HASH-9]`
+/// Checks a perfect hash, of any set of keys and sizing. `[HASH-9]`
 pub(crate) fn hash(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let (options, method, tree) = (options(&mut source), any_of(&mut source, &Method::ALL), tree(&mut source));
@@ -119,7 +119,7 @@ pub(crate) fn hash(bytes: &[u8]) {
     if let Err(refusal) = PerfectHash::build_plain(&tree, options) {
         said(refusal);
     }
-    // The header counts what takes one load, and the division finds what the reciprocal finds.
+    // The header counts direct addresses, and the division equals the reciprocal.
     let (header, division) = (hash.header(), Remainder(hash.header().cells));
     let hashed = options.key_set.slots(&tree);
     let all = (0..tree.node_count()).filter(|&slot| hashed[slot]).map(|slot| keys.key::<Grow>(slot));
@@ -133,7 +133,7 @@ pub(crate) fn hash(bytes: &[u8]) {
     assert_eq!((direct, is_direct.len()), (header.direct as usize, header.keys as usize), "{header:?}");
     assert!(header.direct_share() <= 1.0, "{header:?}");
     said(header.sizing);
-    // Tables for all traversals take no less than those for one.
+    // Tables for all traversals take at least the memory of those for one.
     let axes = vec![0; tree.node_count()];
     let bytes = |methods: &[Method]| AuxTables::new(&tree, &axes, methods, 13).bytes();
     assert!(bytes(&[method]) <= bytes(&Method::ALL), "{method}");
@@ -148,7 +148,7 @@ pub(crate) fn hash(bytes: &[u8]) {
     assert_eq!(method.name().parse(), Ok(method));
 }
 
-/// Bytes that may be a table of a tree: those of one, changed, and any.
+/// Reads bytes that may be a table of a tree: valid ones, changed ones, and any.
 pub(crate) fn hash_bytes(bytes: &[u8]) {
     let (head, rest) = bytes.split_at(bytes.len().min(16));
     let mut source = Unstructured::new(head);
@@ -167,7 +167,7 @@ pub(crate) fn hash_bytes(bytes: &[u8]) {
     }
 }
 
-/// All traversals in all words; a disagreement is made small, and printed as a file that `stackless check` replays.
+/// Checks all traversals in all words. A disagreement is shrunk, and printed as a file for `stackless check`.
 pub(crate) fn check(case: &Case, methods: &[Method]) {
     let fails = |case: &Case, methods: &[Method], words: &[WordName]| {
         let plan =
@@ -182,8 +182,7 @@ pub(crate) fn check(case: &Case, methods: &[Method]) {
     }
 }
 
-/// A tree of up to 32 leaves under a tape: both drawn, or those of a seed, so that two bytes are enough for intervals
-/// within intervals.
+/// Draws a tree of up to 32 leaves and a tape, from bytes or from a seed, so two bytes suffice for nested intervals.
 fn small_case(bytes: &[u8]) -> Case {
     let mut source = Unstructured::new(bytes);
     match source.below(4) {
@@ -192,8 +191,8 @@ fn small_case(bytes: &[u8]) -> Case {
     }
 }
 
-/// A tree of a depth at which words end, and nearly as many leaves. Its shape and its tape are drawn, or follow from a
-/// seed: so a few bytes are enough for a tree that is deep.
+/// Draws a tree with a depth at the limit of a word, and nearly one leaf per level. Shape and tape are drawn from
+/// bytes or from a seed, so a few bytes suffice for a deep tree.
 fn deep_case(source: &mut impl Source) -> Case {
     let depth = match source.below(3) {
         0 => 30 + source.below(37) as u32,
@@ -217,7 +216,7 @@ fn deep_case(source: &mut impl Source) -> Case {
     Case { tree, tape, any: source.coin(), octant: source.below(8) as u8 }
 }
 
-/// A comb that grows to the right at some levels.
+/// Returns a comb that grows to the right at the selected levels.
 fn chain(depth: u32, right_at: impl Fn(u32) -> bool) -> Tree {
     let inner = |i: u32| if right_at(i) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
     let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
@@ -228,7 +227,8 @@ fn in_pieces<W: KeyWord>(case: &Case, levels: u32) {
     let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
     let cuts = Cuts::every(levels, &linked);
     let pieces = right(Pieces::new(&cuts), "tables of pieces");
-    // As many states as there are pieces on a way, each as large as in a tree of so many levels. [STATE-1]
+    // The nesting equals the pieces on a path, and each state is as large as in a tree of this number of levels.
+    // [STATE-1]
     assert_eq!(cuts.nesting(), case.tree.depth().div_ceil(levels).max(1));
     let one = Method::Hashed.state_bytes::<W>(levels.min(case.tree.depth()));
     assert_eq!(cuts.state_bytes::<W>(Method::Hashed), cuts.nesting() as usize * one);
@@ -267,7 +267,7 @@ fn follow<W: KeyWord>(case: &Case, pauses: &Pauses<'_>, kind: u64, rest: &[u8]) 
             }
         }
     }
-    // A key and a trail that may be of no node.
+    // A key and a trail that may belong to no node.
     let kept =
         KeyTrail { key: bits::<W>(&mut source, 7), trail: bits(&mut source, 7), disjoint: None, next: Next::Visit };
     if let Err(refusal) = kept.locate(&ByWalk(&case.tree)) {
@@ -275,8 +275,8 @@ fn follow<W: KeyWord>(case: &Case, pauses: &Pauses<'_>, kind: u64, rest: &[u8]) 
     }
 }
 
-/// A state that is nearly one of the tree: the key is that of the node, and the register that of the trail, unless
-/// drawn anew.
+/// Draws a state that is almost valid: the key is that of the node, and the register that of the trail, unless drawn
+/// independently.
 fn state<W: KeyWord>(tree: &Tree, source: &mut impl Source) -> Paused<W> {
     let slot = source.below(tree.node_count() as u64) as usize;
     let node = tree.node(slot as u32).unwrap_or(tree.root());
@@ -324,7 +324,7 @@ fn options(source: &mut impl Source) -> Options {
     Options { key_set, sizing: any_of(source, &Sizing::ALL) }
 }
 
-/// A tree whose shape is drawn, or one of a family from a seed, which may be larger.
+/// Draws a tree by its shape, or one of a family from a seed, which may be larger.
 fn tree(source: &mut impl Source) -> Tree {
     match source.below(3) {
         0 => {

@@ -6,7 +6,8 @@ use stackless_check::WideCase;
 
 use super::right;
 
-/// Every traversal of wide trees, and every way to keep what is pending with every way to an ancestor. `[WIDE-7]`
+/// Checks every traversal of wide trees, and all combinations of storing pending nodes with returning to an ancestor.
+/// `[WIDE-7]`
 pub(crate) fn wide(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     match source.below(3) {
@@ -16,7 +17,7 @@ pub(crate) fn wide(bytes: &[u8]) {
     }
 }
 
-/// A case, choice by choice; or all of it from a seed.
+/// Draws a case, choice by choice or wholly from a seed.
 fn check<const A: usize>(source: &mut Unstructured<'_>) {
     let case = if source.below(8) == 1 {
         WideCase::<A>::draw(&mut Rng::new(source.below(u64::MAX)), 48, 24, 40)
@@ -25,6 +26,6 @@ fn check<const A: usize>(source: &mut Unstructured<'_>) {
         WideCase::draw(source, 32, chain, distances)
     };
     let compared = right(case.check(), format_args!("{A} children: {case:?}"));
-    // The stack fits every tree, and with it something is compared.
+    // The stack supports every tree, so at least one comparison is made.
     assert!(compared > 0, "{case:?}");
 }

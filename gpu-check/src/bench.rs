@@ -1,4 +1,4 @@
-//! Measurement: kernels by turns, each in a pass of its own with timestamps, ratios of one run.
+//! Measurement: kernels run interleaved, each in its own pass with timestamps, and ratios are from one run.
 
 use std::fmt;
 
@@ -15,29 +15,29 @@ use crate::scene::{Eight, Placed, Query, Scene, hierarchy, rays_words};
 use crate::statistics::{deviation, median, ratio};
 use crate::{Checks, Gpu, GpuError, made};
 
-/// How much is measured.
+/// The size of a measurement.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting {
     /// Rays of a set.
     pub rays: usize,
     /// Views of the camera.
     pub views: u64,
-    /// Passes of each kernel that are not counted.
+    /// Warm-up passes per kernel, which are not counted.
     pub warm_up: usize,
-    /// Passes of each kernel that are.
+    /// Measured passes per kernel.
     pub passes: usize,
     /// Run-time checks of the kernels.
     pub checks: Checks,
 }
 
-/// Which rays, and what they are asked.
+/// A set of rays and the kind of query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rays {
     /// From the camera: the closest hit.
     Primary,
     /// From the hits of the camera's rays: the closest hit.
     Diffuse,
-    /// The same rays: any hit.
+    /// From the hits of the camera's rays: any hit.
     DiffuseAny,
 }
 
@@ -56,23 +56,24 @@ pub struct Row {
     pub count: usize,
     /// Median nanoseconds of a pass.
     pub nanoseconds: f64,
-    /// Median distance from that.
+    /// Median absolute deviation.
     pub deviation: f64,
     /// Speed relative to the best stack kernel of the cell: median of paired ratios, and its interval.
     pub to_best: [f64; 3],
-    /// The same, relative to the best of while-while, speculative and persistent.
+    /// Speed relative to the best of while-while, speculative and persistent: median of paired ratios, and its
+    /// interval.
     pub to_paper: [f64; 3],
-    /// The same, relative to the best stack kernel of as many children.
+    /// Speed relative to the best stack kernel with an equal number of children.
     pub to_own: f64,
-    /// Whether this is the first kernel once more: what differs is noise.
+    /// Whether this repeats the first kernel. Its difference is noise.
     pub is_noise: bool,
 }
 
 impl Rays {
-    /// All of them, as in Table 2 of Binder & Keller 2016.
+    /// All sets, as in Table 2 of Binder & Keller 2016.
     pub const ALL: [Self; 3] = [Self::Primary, Self::DiffuseAny, Self::Diffuse];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Primary => "primary",
@@ -101,35 +102,37 @@ impl fmt::Display for Row {
 pub const HEADER: &str = "scene,rays,view,kernel,count,median ns,deviation ns,Mrays/s,\
                           to best stack,low 95 %,high 95 %,to paper's stack,to stack of as many children";
 
-/// What a ray costs in memory, from counts of the same search on the CPU.
+/// The memory traffic of a ray, from counts of an equal search on the CPU.
 #[derive(Clone, Copy, Debug)]
 pub struct Traffic {
-    /// Of a node: 2 or 8.
+    /// Children per node: 2 or 8.
     pub children: usize,
     /// Inner nodes visited.
     pub nodes: f64,
     /// Triangles tested.
     pub triangles: f64,
-    /// Leaves looked into.
+    /// Leaves visited.
     pub leaves: f64,
 }
 
 impl Traffic {
-    /// Bytes of nodes, triangles, terminators, ray and hit. Lookups come on top, 4 or 8 bytes each, in sectors of 32.
+    /// Returns the bytes of nodes, triangles, terminators, ray and hit. Lookups add 4 or 8 bytes each, in sectors of
+    /// 32.
     pub fn bytes(&self) -> f64 {
-        // Of eight children without the ancestors, of which a way back reads one.
+        // With eight children, without the ancestors, of which a backtrack reads one.
         let node = if self.children == 2 { 64.0 } else { 96.0 };
         node * self.nodes + 48.0 * self.triangles + 16.0 * self.leaves + 64.0
     }
 }
 
-/// Rays of a set, evenly spread, whose visits are counted at most: the device would wait while the CPU counts millions.
+/// The maximum number of rays whose visits are counted, evenly spread. The device would wait while the CPU counts
+/// millions.
 const COUNTED: usize = 65_536;
 
-/// Measures all kernels on one scene. `say` is told of each line, and of the traffic of each set of rays.
+/// Measures all kernels on one scene. `say` receives each line, and the traffic of each set of rays.
 ///
 /// # Errors
-/// [`GpuError`]; [`GpuError::Data`] where kernels have different hits, with their names.
+/// [`GpuError`]; [`GpuError::Data`], with the names of the kernels, if their hits differ.
 pub fn bench(
     gpu: &Gpu,
     arithmetic: &Arithmetic,
@@ -165,7 +168,7 @@ pub fn bench(
     Ok(())
 }
 
-/// Of these rays, through nodes of eight children.
+/// Counts the traffic of these rays with nodes of eight children.
 fn traffic(arithmetic: Arithmetic, eight: &Eight, rays: &[Ray], any: bool) -> Traffic {
     let add = |a: [usize; 3], b: [usize; 3]| [0, 1, 2].map(|i| a[i] + b[i]);
     let visited = rays.par_iter().map(|ray| {
@@ -176,7 +179,7 @@ fn traffic(arithmetic: Arithmetic, eight: &Eight, rays: &[Ray], any: bool) -> Tr
     Traffic { children: SLOTS, nodes, triangles, leaves }
 }
 
-/// Times of all kernels over one set of rays: by kernel, then by pass. The last kernel is the first one again.
+/// Times of all kernels with one set of rays: by kernel, then by pass. The last kernel repeats the first one.
 struct Cell {
     kernels: Vec<Kernel>,
     times: Vec<Vec<f64>>,
@@ -201,7 +204,7 @@ impl Cell {
                 let (tasks, results, params, work) = (&tasks, &results[i], &params, &work);
                 let buffers = Buffers { nodes, leaves, displacements, cells, tasks, results, params, work };
                 let mut pass = buffers.pass(&kernels[i], &pipelines[i], count);
-                // Hits of the pass before must not count for this one's.
+                // Hits of the previous pass must not count for this one.
                 pass.clear = vec![results, work];
                 pass
             })
@@ -213,13 +216,13 @@ impl Cell {
                 times.iter_mut().zip(nanoseconds).for_each(|(times, time)| times.push(time));
             }
         }
-        // By the first kernel of two children, and of eight.
+        // From the first kernel of two children, and of eight.
         let mut first: [Option<Vec<Found>>; 2] = [None, None];
         for (kernel, results) in kernels.iter().zip(&results).filter(|(kernel, _)| kernel.keeps_order()) {
             let words = gpu.read(results, 4 * rays.len())?;
             let found: Vec<Found> = words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect();
             let own = usize::from(kernel.is_wide());
-            // Of another order any hit may be another one.
+            // In another order, any hit may be another one.
             let is_same = |a: &Found, b: &Found| {
                 if first[own].is_none() && query.any { a.is_hit() == b.is_hit() } else { a == b }
             };
@@ -227,8 +230,8 @@ impl Cell {
                 .as_ref()
                 .or(first[0].as_ref())
                 .map_or(0, |first| first.iter().zip(&found).filter(|(a, b)| !is_same(a, b)).count());
-            // Only rounding can make a kernel that prunes, or has another order, miss what others find, and only beside
-            // a box's end.
+            // Only rounding can make a kernel that prunes, or has another order, miss hits, and only close to the end
+            // of a box.
             let allowed = if is_pruning(kernel) || first[own].is_none() { rays.len() / 1000 } else { 0 };
             if differ > allowed {
                 return Err(GpuError::Data(format!("{}: {differ} hits are not those of stack", kernel.full_name())));
@@ -265,7 +268,7 @@ impl Cell {
     }
 }
 
-/// Those for a scene, with words as narrow as the depth allows, as in the paper.
+/// Returns the kernels for a scene, with words as narrow as the depth allows, as in the paper.
 fn kernels(gpu: &Gpu, scene: &Scene) -> Vec<Kernel> {
     let words = Kernel::words_for(scene.depth());
     let mut kernels = Kernel::all(1);
@@ -284,13 +287,14 @@ fn is_pruning(kernel: &Kernel) -> bool {
     matches!(kernel.traversal, Traversal::StackT0 | Traversal::HashedDisjoint)
 }
 
-/// The kernels of two children with a stack, short ones included: the best of them is what ratios are to.
+/// Returns whether it is a stack kernel of two children, including short stacks. Ratios are relative to the best of
+/// them.
 fn is_stack(kernel: &Kernel) -> bool {
     let is_short = matches!(kernel.traversal, Traversal::Laine(short) if short > 0);
     is_short || matches!(kernel.traversal, Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0)
 }
 
-/// Those that Binder & Keller compare with: while-while, speculative, persistent.
+/// Returns whether Binder & Keller compare with it: while-while, speculative, persistent.
 fn is_of_paper(kernel: &Kernel) -> bool {
     kernel.traversal == Traversal::Stack
 }

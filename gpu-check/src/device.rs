@@ -1,4 +1,4 @@
-//! The device: how it is chosen, asked, waited for, and what becomes of its errors.
+//! The device: selection, submission, waiting, and errors.
 
 mod open;
 
@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use crate::GpuError;
 
-/// How long one submission may take. Whatever takes longer hangs.
+/// The time limit of one submission. Longer submissions are treated as hanging.
 pub const PATIENCE: Duration = Duration::from_mins(2);
 
 /// A device with its queue.
@@ -26,7 +26,7 @@ pub struct Gpu {
 pub enum Access {
     /// A storage buffer that is only read.
     Read,
-    /// A storage buffer that is written too.
+    /// A storage buffer that is read and written.
     Write,
     /// A uniform buffer.
     Uniform,
@@ -48,53 +48,53 @@ pub struct Pass<'a> {
     pub buffers: Vec<&'a wgpu::Buffer>,
     /// Work groups along x and y.
     pub groups: [u32; 2],
-    /// Buffers that are set to 0 before.
+    /// Buffers that are cleared before.
     pub clear: Vec<&'a wgpu::Buffer>,
 }
 
-/// Which run-time checks are compiled into a kernel.
+/// The run-time checks of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Checks {
-    /// All that wgpu has.
+    /// All checks of wgpu.
     All,
-    /// None: what is measured where arrays in private memory would pay for checks that buffers do not.
+    /// No checks, for measurements: arrays in private memory would pay for checks that buffers do not need.
     None,
 }
 
 impl Gpu {
-    /// The device's name, backend and driver, in one line.
+    /// Returns the device's name, backend and driver, in one line.
     pub fn name(&self) -> String {
         open::name(&self.info)
     }
 
-    /// Whether this is a processor that plays a device.
+    /// Returns whether the device is emulated on the CPU.
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// The same device, waited for at most this long.
+    /// Sets the time limit of waiting for the device.
     #[must_use]
     pub fn with_patience(mut self, patience: Duration) -> Self {
         self.patience = patience;
         self
     }
 
-    /// Whether lanes can vote.
+    /// Returns whether lanes can vote.
     pub fn has_subgroups(&self) -> bool {
         self.device.features().contains(wgpu::Features::SUBGROUP)
     }
 
-    /// Memory of a work group.
+    /// Returns the memory of a work group in bytes.
     pub fn workgroup_bytes(&self) -> u32 {
         self.device.limits().max_compute_workgroup_storage_size
     }
 
-    /// Gives the device up, as a driver may do on its own: nothing works afterwards.
+    /// Loses the device, as a driver may do spontaneously. Every later call fails.
     pub fn lose(&self) {
         self.device.destroy();
     }
 
-    /// A storage buffer with these words.
+    /// Creates a storage buffer with these words.
     ///
     /// # Errors
     /// [`GpuError::Limit`] before anything is allocated, [`GpuError::Refused`] without memory.
@@ -104,27 +104,27 @@ impl Gpu {
         Ok(buffer)
     }
 
-    /// A storage buffer of so many words, all 0.
+    /// Creates a storage buffer of zero words.
     ///
     /// # Errors
-    /// As [`buffer`](Self::buffer).
+    /// The errors of [`buffer`](Self::buffer).
     pub fn zeros(&self, what: &str, words: usize) -> Result<wgpu::Buffer, GpuError> {
         self.check_size(what, words)?;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         self.raw(what, words, usage)
     }
 
-    /// A uniform buffer of a multiple of four words.
+    /// Creates a uniform buffer of a multiple of four words.
     ///
     /// # Errors
-    /// As [`buffer`](Self::buffer).
+    /// The errors of [`buffer`](Self::buffer).
     pub fn uniform(&self, words: &[u32]) -> Result<wgpu::Buffer, GpuError> {
         let buffer = self.raw("params", words.len(), wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST)?;
         self.write(&buffer, words)?;
         Ok(buffer)
     }
 
-    /// Writes words over the start of a buffer.
+    /// Writes words to the start of a buffer.
     ///
     /// # Errors
     /// [`GpuError::Refused`] if they do not fit.
@@ -159,7 +159,7 @@ impl Gpu {
                 layout: Some(&pipeline_layout),
                 module: &module,
                 entry_point: Some("main"),
-                // Each lane writes its part of the memory of the work group before it reads it.
+                // Each lane writes its part of the work group's memory before reading it.
                 compilation_options: wgpu::PipelineCompilationOptions {
                     zero_initialize_workgroup_memory: false,
                     ..Default::default()
@@ -184,7 +184,7 @@ impl Gpu {
         }
     }
 
-    /// Runs passes one after the other, and waits until they are done.
+    /// Runs passes one after another, and waits until they are done.
     ///
     /// # Errors
     /// [`GpuError::Refused`], [`GpuError::Lost`], [`GpuError::Timeout`].
@@ -198,10 +198,10 @@ impl Gpu {
         self.submit(encoder)
     }
 
-    /// Nanoseconds that each pass takes, measured by the device.
+    /// Measures the nanoseconds of each pass on the device.
     ///
     /// # Errors
-    /// As [`run`](Self::run), and [`GpuError::Feature`] where the device has no clock.
+    /// The errors of [`run`](Self::run), and [`GpuError::Feature`] if the device has no clock.
     pub fn time(&self, passes: &[Pass<'_>]) -> Result<Vec<f64>, GpuError> {
         if !self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
             return Err(GpuError::Feature("timestamp queries"));
@@ -228,18 +228,18 @@ impl Gpu {
         Ok(ticks.chunks(2).map(|t| t[1].wrapping_sub(t[0]) as f64 * period).collect())
     }
 
-    /// The first words of a buffer.
+    /// Reads the first words of a buffer.
     ///
     /// # Errors
-    /// As [`run`](Self::run).
+    /// The errors of [`run`](Self::run).
     pub fn read(&self, buffer: &wgpu::Buffer, words: usize) -> Result<Vec<u32>, GpuError> {
         self.run_and_read(&[], [(buffer, words)]).map(|[read]| read)
     }
 
-    /// Runs passes, and reads the first words of buffers, all in one submission.
+    /// Runs passes and reads the first words of buffers, in one submission.
     ///
     /// # Errors
-    /// As [`run`](Self::run).
+    /// The errors of [`run`](Self::run).
     pub fn run_and_read<const N: usize>(
         &self,
         passes: &[Pass<'_>],
@@ -329,7 +329,7 @@ impl Gpu {
         }
     }
 
-    /// Runs calls of wgpu; the first error that they cause is the answer.
+    /// Runs calls of wgpu, and returns the first error that they cause.
     fn guarded<T>(&self, what: &str, calls: impl FnOnce() -> T) -> Result<T, GpuError> {
         let filters = [wgpu::ErrorFilter::OutOfMemory, wgpu::ErrorFilter::Validation, wgpu::ErrorFilter::Internal];
         let scopes = filters.map(|filter| self.device.push_error_scope(filter));
@@ -342,9 +342,9 @@ impl Gpu {
         }
     }
 
-    /// An error; of a device that is lost, that.
+    /// Returns an error; for a lost device, that it is lost.
     fn refused(&self, what: &str, message: String) -> GpuError {
-        // The callback that says so is called while waiting.
+        // The callback that reports it runs while polling.
         let _ = self.device.poll(wgpu::PollType::Poll);
         match self.lost.get() {
             Some(reason) => GpuError::Lost(reason.clone()),

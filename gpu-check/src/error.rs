@@ -1,21 +1,21 @@
-//! What can go wrong with a device, and what the program returns then.
+//! Errors of devices, and exit codes.
 
 use std::time::Duration;
 
 use stackless_bvh::geom::EnvironmentError;
 
-/// Why there is no result.
+/// Errors of running on a device.
 #[derive(Debug, thiserror::Error)]
 pub enum GpuError {
-    /// There is no device, or none that was asked for.
+    /// There is no device, or no requested one.
     #[error("unsupported: {0}")]
     NoAdapter(String),
-    /// A device cannot do something that is needed.
+    /// A requirement exceeds a limit of the device.
     #[error("unsupported: {what} needs {needed}, and the device has {limit}")]
     Limit {
-        /// What it is needed for.
+        /// The purpose.
         what: String,
-        /// How much.
+        /// The required amount.
         needed: u64,
         /// The device's limit.
         limit: u64,
@@ -26,27 +26,27 @@ pub enum GpuError {
     /// The device refused something: a shader, a buffer (no memory), a submission.
     #[error("{what}: {message}")]
     Refused {
-        /// What was asked for.
+        /// The rejected object.
         what: String,
-        /// What it says.
+        /// The device's message.
         message: String,
     },
     /// The device was lost: it was reset, unplugged, or the driver gave up.
     #[error("the device was lost: {0}")]
     Lost(String),
-    /// The device did not answer in time.
+    /// The device did not answer within the time limit.
     #[error("the device did not finish within {} s", .0.as_secs_f32())]
     Timeout(Duration),
-    /// Data that no kernel can take.
+    /// Data that no kernel supports.
     #[error("{0}")]
     Data(String),
-    /// Floats of this machine's threads are of no use.
+    /// The float modes of this machine's threads are unsuitable.
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
 }
 
 impl GpuError {
-    /// The exit code: 3 if the device cannot, 2 for all else.
+    /// Returns the exit code: 3 if the device is insufficient, 2 for all other errors.
     pub const fn exit_code(&self) -> u8 {
         match self {
             Self::NoAdapter(_) | Self::Limit { .. } | Self::Feature(_) => 3,

@@ -6,7 +6,7 @@ use stackless_bvh::{swap, trail};
 use crate::harness::{claim, harnesses};
 use crate::{Any, Choose, cover};
 
-/// A word with values that can be chosen and compared by order.
+/// A word whose values can be chosen and compared by order.
 pub trait Full: KeyWord + Any + Copy + Ord {}
 
 impl<W: KeyWord + Any + Copy + Ord> Full for W {}
@@ -63,12 +63,12 @@ harnesses! {
     narrow_u64, narrow_u64_twin, 2 => narrow::<u64>;
 }
 
-/// Width of a word that has one.
+/// Returns the width of a word type with a fixed width.
 fn width<W: KeyWord>() -> u32 {
     W::WIDTH.unwrap_or(u32::MAX)
 }
 
-/// A key and a trail below its leading one, as a node at any depth may have them.
+/// Returns a key and a trail below its leading one, of a node at any depth.
 fn key_and_trail<W: Full>(choose: &mut impl Choose) -> Option<(W, W)> {
     let (key, trail): (W, W) = (choose.any(), choose.any());
     choose.assume(key > W::zero() && trail < key::level_start(&key))?;
@@ -125,7 +125,7 @@ pub fn trails<W: Full>(choose: &mut impl Choose) -> Option<()> {
         let rest = choose.plant(rest, |rest| rest.or(&W::one()));
         assert!(next == key::sibling(key.shr(levels)) && key::depth(&next) == depth - levels);
         claim!(rest < key::level_start(&next) && !trail::is_pending(&rest) && rest == trail::leave(trail));
-        // What is left is what was pending above.
+        // The remaining trail is that of the levels above.
         assert!(rest == trail.shr(levels).wrapping_sub(&W::one()));
     }
     choose.assume(depth < width::<W>() - 1)?;
@@ -145,7 +145,7 @@ pub fn counter<W: Full>(choose: &mut impl Choose) -> Option<()> {
     assert!(counter.wrapping_add(&trail) == start.wrapping_sub(&W::one()));
     cover!(choose, trail == W::zero(), "nothing is pending");
     cover!(choose, trail > W::zero() && start == W::highest().unwrap_or_default(), "at the greatest depth");
-    // The end is where the index in one word with its level's start is all ones.
+    // At the end, the index combined with its level's start is all ones.
     let is_end = start.or(&counter).is_all_ones();
     claim!(is_end == (choose.plant(trail, W::shr1) == W::zero()));
     if trail > W::zero() {
@@ -180,7 +180,7 @@ pub fn composition<W: Full>(choose: &mut impl Choose) -> Option<()> {
     Some(())
 }
 
-/// The lowest one alone.
+/// Returns only the lowest one of a word.
 fn lowest<W: Full>(word: W) -> W {
     word.and(&W::zero().wrapping_sub(&word))
 }

@@ -1,31 +1,31 @@
-//! Where a harness takes its choices from.
+//! Sources of a harness's choices.
 
 mod drawn;
 
 pub use drawn::{Cases, Drawn};
 
-/// A source of choices, and what a harness tells it.
+/// A source of choices, with the assumptions and covers of a harness.
 pub trait Choose {
-    /// Whether the body is the twin's: then it makes its mistake.
+    /// Whether the body is the twin's, with its mistake.
     const PLANTED: bool;
 
-    /// Any number of so many bits, at most 64.
+    /// Returns any number of `count` bits, at most 64.
     fn bits(&mut self, count: u32) -> u64;
 
-    /// Any number whose ones are among those of `of`.
+    /// Returns any number whose ones are a subset of those of `of`.
     fn subset(&mut self, of: u64) -> u64;
 
-    /// The inner nodes of any tree with at most so many of them, as a set of keys. (There may be keys in it that no
-    /// path leads to; they are no nodes, and only count.)
+    /// Returns the inner nodes of any tree with at most `most` of them, as a set of keys. (The set may have unreachable
+    /// keys, which are no nodes and only count.)
     fn inner_keys(&mut self, most: u32) -> Option<u64>;
 
-    /// Goes on only where this holds.
+    /// Continues only if the condition holds.
     fn assume(&mut self, condition: bool) -> Option<()>;
 
-    /// Notes whether this can be; by way of [`cover!`](crate::cover).
+    /// Records whether the condition is possible; called by [`cover!`](crate::cover).
     fn cover(&mut self, condition: bool, name: &'static str);
 
-    /// Any value.
+    /// Returns any value.
     fn any<T: Any>(&mut self) -> T
     where
         Self: Sized,
@@ -33,7 +33,7 @@ pub trait Choose {
         T::any(self)
     }
 
-    /// A value that is wrong in the twin: `mistake` of it where `planted`.
+    /// Returns a value that is wrong in the twin: its `mistake` if `PLANTED`.
     fn plant<T>(&self, value: T, mistake: impl FnOnce(T) -> T) -> T
     where
         Self: Sized,
@@ -42,9 +42,9 @@ pub trait Choose {
     }
 }
 
-/// A type of which any value can be chosen.
+/// A type with arbitrary choices.
 pub trait Any {
-    /// Any value.
+    /// Returns any value.
     fn any(choose: &mut impl Choose) -> Self;
 }
 
@@ -72,7 +72,7 @@ impl Any for bool {
     }
 }
 
-/// A situation that must be possible under what the harness assumes. (Kani reads the name from the macro's call.)
+/// A situation that must be possible under the harness's assumptions. (Kani reads the name from the macro's call.)
 #[macro_export]
 macro_rules! cover {
     ($choose:expr, $condition:expr, $name:literal) => {
@@ -83,7 +83,7 @@ macro_rules! cover {
     };
 }
 
-/// A number for a name (FNV-1a), by which covers are told apart in C.
+/// Returns a number for a name (FNV-1a), which identifies covers in C.
 pub const fn id(name: &str) -> u32 {
     let (bytes, mut hash, mut i) = (name.as_bytes(), 0x811c_9dc5_u32, 0);
     while i < bytes.len() {

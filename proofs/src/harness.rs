@@ -1,8 +1,8 @@
-//! A harness with its twin, declared once for all ways to run it.
+//! Harnesses with their twins, declared once for all methods of running them.
 
 use crate::Drawn;
 
-/// A harness, as tests and scripts see it.
+/// A harness, for tests and scripts.
 #[derive(Clone, Copy, Debug)]
 pub struct Harness {
     /// Its name under Kani and CBMC.
@@ -11,22 +11,22 @@ pub struct Harness {
     pub twin: &'static str,
     /// Bound of its loops, plus one.
     pub unwind: u32,
-    /// The same for loops within a loop, where it is less. CBMC unrolls these for each turn of the outer one; Kani has
-    /// one bound for all.
+    /// The bound of nested loops, if it is less. CBMC unrolls them for each iteration of the outer loop; Kani has one
+    /// bound for all.
     pub nested: Option<u32>,
-    /// How often `check.sh` proves it: `daily`; `long`, only when asked to; or `kani`, never, as it has too much memory
-    /// for the way there.
+    /// How often `check.sh` proves it: `daily`; `long`, only on request; or `kani`, never, because it uses too much
+    /// memory for that method.
     pub often: &'static str,
-    /// What it claims, with the clauses.
+    /// The claim, with its clauses.
     pub claim: &'static str,
-    /// The body, on drawn choices; `None` where they are not as assumed.
+    /// The body, on drawn choices; `None` if they violate the assumptions.
     pub body: fn(&mut Drawn<false>) -> Option<()>,
-    /// The twin's.
+    /// The body of the twin.
     pub planted: fn(&mut Drawn<true>) -> Option<()>,
 }
 
-/// Declares harnesses: claim, names of the proof and of its twin, unwind (then that of loops within a loop, in
-/// parentheses, and how often, if not daily), and body.
+/// Declares harnesses: claim, names of the proof and of its twin, unwind (then that of nested loops in parentheses, and
+/// the frequency, if not daily), and body.
 macro_rules! harnesses {
     ($($(#[doc = $claim:literal])+ $name:ident, $twin:ident, $unwind:tt $(($nested:tt))? $($often:ident)? => $body:expr;)*) => {
         $(
@@ -68,8 +68,8 @@ pub(crate) use harnesses;
 /// The message of a `claim!` that does not hold.
 pub const CLAIM: &str = "the claim of the harness";
 
-/// What a harness claims, and its twin breaks. A twin that dies of anything else is not refuted: it may never have come
-/// to its mistake.
+/// The claim of a harness, which its twin breaks. A twin that fails for another reason is not refuted, because it may
+/// not have reached its mistake.
 macro_rules! claim {
     ($condition:expr) => {
         #[cfg(kani)]
@@ -89,7 +89,7 @@ macro_rules! claim {
 
 pub(crate) use claim;
 
-/// What is said, or nothing.
+/// Returns the first element, if any.
 pub(crate) const fn first<T: Copy>(said: &[T]) -> Option<T> {
     match said {
         [said, ..] => Some(*said),

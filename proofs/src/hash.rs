@@ -49,7 +49,7 @@ pub fn remainder_u64<const H: u32, const BITS: u32>(choose: &mut impl Choose) ->
 /// Bytes of a header.
 const HEADER: usize = 72;
 
-/// The bytes of a table for all keys of a tree in 32 bits, with the printed function: 72, and 4 for each word.
+/// Returns the bytes of a table for all keys of a tree in 32 bits, with the printed function: 72, and 4 for each word.
 fn table<const BYTES: usize>(displacements: u32, cells: u32, keys: u32, direct: u32, words: &[u32]) -> [u8; BYTES] {
     let mut bytes = [0; BYTES];
     bytes[..8].copy_from_slice(b"SBVHHASH");
@@ -70,7 +70,7 @@ const ALL: AddressBounds = AddressBounds { inner: 1 << 30, leaf: 1 << 30 };
 pub fn every_address(choose: &mut impl Choose) -> Option<()> {
     let (index, is_leaf) = (choose.bits(30) as u32, choose.any::<bool>());
     let node = if is_leaf { Node::leaf(index) } else { Node::inner(index) };
-    // By the text of the encoding.
+    // By the definition of the encoding.
     let word = if is_leaf { !index } else { 0x8000_0000 + index };
     let word = choose.plant(word, |word| if index == (1 << 30) - 1 { word ^ 1 } else { word });
     cover!(choose, is_leaf && index == (1 << 30) - 1, "the last leaf");

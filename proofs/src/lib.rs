@@ -1,17 +1,16 @@
-//! Proof harnesses: what holds for all inputs, within stated bounds.
+//! Proof harnesses: claims that hold for all inputs, within stated bounds.
 //!
 //! A harness is a claim about the library's own functions, written once, as a function over a source of choices
-//! ([`Choose`]), and run three ways:
+//! ([`Choose`]). There are three methods of running it:
 //!
 //! - by `proofs/kani.sh`: each choice is any value, and the claim is proved for all of them;
-//! - by `proofs/cbmc/check.sh`: the same, by CBMC on the library compiled to WebAssembly and from there to C, with a
-//!   small
-//!   crate in place of Kani's;
-//! - by `cargo test -p proofs`: the choices are enumerated where they are few, and drawn where they are many.
+//! - by `proofs/cbmc/check.sh`: CBMC proves the claims for the library compiled to WebAssembly and from there to C,
+//!   with a small crate in place of Kani's;
+//! - by `cargo test -p proofs`: the choices are enumerated if they are few, and drawn if they are many.
 //!
-//! Each harness has a twin: the same body with one planted mistake ([`Choose::PLANTED`]), which must be refuted. What a
-//! harness assumes must be possible: each has a [`cover!`] that must be reached. `README.md` lists the harnesses with
-//! their bounds and times, `SOUNDNESS.md` says what they do not prove.
+//! Each harness has a twin: its body with one planted mistake ([`Choose::PLANTED`]), which must be refuted. The
+//! assumptions of a harness must be satisfiable: each harness has a [`cover!`] that must be reached. `README.md` lists
+//! the harnesses with their bounds and times, and `SOUNDNESS.md` lists their limits.
 #![cfg_attr(target_family = "wasm", no_std)]
 #![forbid(unsafe_code)]
 

@@ -1,7 +1,7 @@
-//! What a traversal is compared with: the postponed nodes, one a level, and nothing else.
+//! The reference of a traversal: only the postponed nodes, one per level.
 //!
-//! It is the oracle's recursion with its activations laid out, as a bounded proof needs it: the tests of this package
-//! hold it to [`oracle`](stackless_bvh::oracle) itself.
+//! It is the oracle's recursion with explicit activations, as bounded proofs need it. The tests of this package compare
+//! it with [`oracle`](stackless_bvh::oracle).
 
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::key::KeyWord;
@@ -11,9 +11,9 @@ use stackless_bvh::tree::{Node, Topology};
 use crate::harness::claim;
 use crate::shape::{Script, Shape};
 
-/// A tree of a [`Shape`], which knows the keys of its nodes.
+/// A tree of a [`Shape`] with the keys of its nodes.
 pub trait Keyed: Topology {
-    /// The key of a node.
+    /// Returns the key of a node.
     fn key(&self, node: Node) -> u32;
 }
 
@@ -28,9 +28,9 @@ impl Keyed for Shape {
 pub struct ScriptedSearch<'t, T> {
     /// The tree.
     pub tree: &'t T,
-    /// What is decided.
+    /// The decisions.
     pub script: Script,
-    /// The twin's mistake: inner nodes with this key or a greater one are said to want no child.
+    /// The twin's mistake: inner nodes with this key or a greater one want no child.
     pub silent_from: u32,
 }
 
@@ -80,38 +80,38 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// At the root.
+    /// Starts at the root.
     pub const fn new(script: Script, pruning: Pruning) -> Self {
         Self { script, pruning, key: 1, pending: 0, disjoint: 0, is_done: false }
     }
 
-    /// The key of the node to visit; `None` at the end.
+    /// Returns the key of the next node; `None` at the end.
     pub fn key(&self) -> Option<u32> {
         (!self.is_done).then_some(self.key)
     }
 
-    /// Depth of that node.
+    /// Returns the depth of that node.
     fn depth(&self) -> u32 {
         self.key.ilog2()
     }
 
-    /// The most recently postponed node: the deepest.
+    /// Returns the most recently postponed node, which is the deepest.
     fn postponed(&self) -> Option<u32> {
         let depth = self.pending.checked_ilog2()? / 8;
         Some((self.pending >> (8 * depth)) as u32 & 0xff)
     }
 
-    /// A trail: a bit for each level, from the node up, where the byte of `bytes` is not 0. `[TRAIL-1]`
+    /// Returns a trail: a bit for each level, from the node up, set if the byte of `bytes` is not 0. `[TRAIL-1]`
     fn bits_of(&self, bytes: u64) -> u32 {
         let bit = |depth: u32| u32::from(bytes >> (8 * depth) & 0xff != 0);
-        // Without a loop: in a proof, loops within that of the traversal are those of the cursors alone.
+        // There is no loop here, so the only nested loops of a proof are those of the cursors.
         const { assert!(Shape::LIMIT == 5) };
         let bits = bit(1) << 4 | bit(2) << 3 | bit(3) << 2 | bit(4) << 1 | bit(5);
         // Nothing is postponed below the node.
         bits >> (Shape::LIMIT - self.depth())
     }
 
-    /// From the node to the next one. `[ORACLE-1]` `[ORACLE-2]`
+    /// Advances to the next node. `[ORACLE-1]` `[ORACLE-2]`
     pub fn advance(&mut self, is_leaf: bool) {
         if is_leaf {
             if self.pruning == Pruning::Disjoint && self.script.finds(self.key) {
@@ -143,7 +143,7 @@ impl Reference {
     }
 }
 
-/// Compares what can be seen of a traversal with the reference, visit by visit. `[TRACE-1]`
+/// Compares the visible state of a traversal with the reference, visit by visit. `[TRACE-1]`
 #[derive(Debug)]
 pub struct Watch<'t, T> {
     tree: &'t T,
@@ -151,20 +151,19 @@ pub struct Watch<'t, T> {
     pub reference: Reference,
     /// Visits so far.
     pub visits: u32,
-    /// The longest way back so far, in levels.
+    /// The longest backtrack so far, in levels.
     pub longest: u32,
-    /// Least depth that a restart may pass now.
+    /// The least depth that a restart may visit next.
     restarted: u32,
 }
 
 impl<'t, T: Keyed> Watch<'t, T> {
-    /// Before the first visit.
+    /// Starts before the first visit.
     pub const fn new(tree: &'t T, script: Script, pruning: Pruning) -> Self {
         Self { tree, reference: Reference::new(script, pruning), visits: 0, longest: 0, restarted: 0 }
     }
 
-    /// A node is passed on the way down from the root: it is above the next one, and below the one that was passed
-    /// before.
+    /// Checks a node on the way down after a restart: it must be above the next node, and below the previous one.
     fn pass(&mut self, key: u32) {
         assert!(!self.reference.is_done);
         let (depth, to) = (key.ilog2(), self.reference.depth());

@@ -1,4 +1,4 @@
-//! Small trees without memory: nodes are named by their keys, and links are arithmetic on them.
+//! Small trees without memory: nodes are identified by their keys, and links are computed.
 
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::key::KeyWord;
@@ -7,10 +7,10 @@ use stackless_bvh::tree::{Node, Recorded, Topology};
 
 use crate::Choose;
 
-/// Any tree with at most so many inner nodes: a set of keys, bit `k` for the inner node with key `k`.
+/// Any tree with at most a given number of inner nodes: a set of keys, bit `k` for the inner node with key `k`.
 ///
-/// The node with key `k` has the index `k`. So the links of a node are computed, and what a traversal says of its key
-/// can be compared with where it is.
+/// The node with key `k` has the index `k`. So the links of a node are computed, and the key of a traversal's state can
+/// be compared with its node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shape {
     inner: u64,
@@ -18,39 +18,39 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Most inner nodes that a shape can have: then keys of leaves have 6 bits.
+    /// Maximum number of inner nodes of a shape, so keys of leaves have 6 bits.
     pub const LIMIT: u32 = 5;
 
-    /// Any shape with at most `inner_nodes` inner nodes.
+    /// Returns any shape with at most `inner_nodes` inner nodes.
     pub fn any(choose: &mut impl Choose, inner_nodes: u32) -> Option<Self> {
         Some(Self { inner: choose.inner_keys(inner_nodes)?, inner_nodes })
     }
 
-    /// Whether the node with this key is an inner one.
+    /// Returns whether the node with this key is an inner one.
     pub fn is_inner(self, key: u32) -> bool {
         self.inner >> key & 1 == 1
     }
 
-    /// The node with this key.
+    /// Returns the node with this key.
     pub fn node(self, key: u32) -> Node {
         if self.is_inner(key) { Node::inner(key) } else { Node::leaf(key) }
     }
 
-    /// The keys that inner nodes may have.
+    /// Returns the possible keys of inner nodes.
     pub fn keys(self) -> u64 {
         self.inner
     }
 
-    /// The node that is the sibling of the ancestor `levels` up, the root where there is none.
+    /// Returns the sibling of the ancestor `levels` up, or the root if there is none.
     fn uncle(self, node: Node, levels: u32) -> Node {
         let ancestor = node.index() as u32 >> levels;
         self.node(if ancestor > 1 { ancestor ^ 1 } else { 1 })
     }
 
-    /// Whether a key has to be hashed: below its sibling there is a node whose record does not name it any more, an
+    /// Returns whether a key must be hashed: below its sibling there is a node whose record does not link to it, an
     /// inner one or a leaf three levels down. `[HASH-3]`
     fn is_hashed(self, key: u32) -> bool {
-        // There is a node three levels down if there is an inner node two levels down.
+        // A node three levels down exists if there is an inner node two levels down.
         let below = |path: u32| {
             let sibling = key ^ 1;
             self.is_inner(sibling)
@@ -72,7 +72,7 @@ impl Topology for Shape {
         [self.node(2 * key), self.node(2 * key + 1)]
     }
 
-    /// As many as there are keys.
+    /// The number of possible keys.
     fn node_count(&self) -> usize {
         2 << self.inner_nodes
     }
@@ -81,7 +81,7 @@ impl Topology for Shape {
         node.index()
     }
 
-    /// That of the deepest shape.
+    /// The depth of the deepest shape.
     fn depth(&self) -> u32 {
         self.inner_nodes
     }
@@ -115,7 +115,7 @@ impl<W: KeyWord> Lookup<W> for Computed {
     }
 }
 
-/// A table of the hashed keys only: it panics if it is asked for another.
+/// A table of only the hashed keys. It panics for other keys.
 #[derive(Clone, Copy, Debug)]
 pub struct HashedKeys(pub Shape);
 
@@ -127,8 +127,8 @@ impl<W: KeyWord> Lookup<W> for HashedKeys {
     }
 }
 
-/// Whatever a search may decide, fixed for each node: which children are wanted, which comes first, whether they are
-/// disjoint, in which leaves something is found, and at which the search ends.
+/// Any decisions of a search, fixed for each node: the wanted children, their order, whether they are disjoint, the
+/// leaves with a hit, and the leaves that end the search.
 #[derive(Clone, Copy, Debug)]
 pub struct Script {
     left: u64,
@@ -140,67 +140,67 @@ pub struct Script {
 }
 
 impl Script {
-    /// Any decisions, without marks.
+    /// Returns any decisions, without marks.
     pub fn any(choose: &mut impl Choose, shape: Shape) -> Self {
         let inner = shape.keys();
         let [left, right, right_first] = [(); 3].map(|()| choose.subset(inner));
         Self { left, right, right_first, disjoint: 0, found: 0, last: 0 }
     }
 
-    /// The same, with marks, and with leaves in which something is found. `[ORDER-2]` `[ORDER-3]`
+    /// Adds marks, and leaves with a hit. `[ORDER-2]` `[ORDER-3]`
     #[must_use]
     pub fn with_marks(self, choose: &mut impl Choose, shape: Shape) -> Self {
         let [disjoint, found] = [shape.keys(), shape.leaf_keys()].map(|keys| choose.subset(keys));
         Self { disjoint, found, ..self }
     }
 
-    /// The same, with leaves at which the search ends.
+    /// Adds leaves that end the search.
     #[must_use]
     pub fn with_ends(self, choose: &mut impl Choose, shape: Shape) -> Self {
         Self { last: choose.subset(shape.leaf_keys()), ..self }
     }
 
-    /// Both children of a node or none, as tests of nodes at their visit want them.
+    /// Wants both children of a node or none, like tests of nodes at their visit.
     #[must_use]
     pub fn by_node(self) -> Self {
         Self { right: self.left, ..self }
     }
 
-    /// The same, left before right.
+    /// Visits left children before right ones.
     #[must_use]
     pub fn left_first(self) -> Self {
         Self { right_first: 0, ..self.by_node() }
     }
 
-    /// What is decided at an inner node.
+    /// Returns the decision at an inner node.
     pub fn descent(&self, key: u32) -> Descent {
         let bit = |keys: u64| keys >> key & 1 == 1;
         Descent::new(bit(self.left), bit(self.right), bit(self.right_first))
     }
 
-    /// The child that comes first, for orders that are asked apart from the decision.
+    /// Returns the first child, for orders that are queried separately from the decision.
     pub fn first(&self, key: u32) -> Side {
         Side::right_if(self.right_first >> key & 1 == 1)
     }
 
-    /// Whether the children of an inner node are disjoint.
+    /// Returns whether the children of an inner node are disjoint.
     pub fn is_disjoint(&self, key: u32) -> bool {
         self.disjoint >> key & 1 == 1
     }
 
-    /// Whether something is found in a leaf.
+    /// Returns whether a leaf has a hit.
     pub fn finds(&self, key: u32) -> bool {
         self.found >> key & 1 == 1
     }
 
-    /// Whether the search ends at a leaf.
+    /// Returns whether the search ends at a leaf.
     pub fn ends(&self, key: u32) -> bool {
         self.last >> key & 1 == 1
     }
 }
 
 impl Shape {
-    /// Keys that leaves may have.
+    /// Returns the possible keys of leaves.
     fn leaf_keys(self) -> u64 {
         let reached = (u64::MAX >> (64 - (2 << self.inner_nodes))) & !1;
         reached & !self.inner

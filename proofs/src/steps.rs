@@ -1,10 +1,10 @@
-//! One step of each cursor, from any state that a traversal can be in, is the step of the machine that Rocq proves.
+//! Proves that one step of each cursor, from any state of a traversal, is the step of the machine in Rocq.
 //!
-//! Keys and trails have all their bits, trees any size: a step asks about the nodes on the way to the root alone, and
-//! [`Ladder`] computes these. The state is taken up from [`Paused`] and only has what the invariant says: bits below
-//! the depth, and in the register the next node or nothing, nothing only where the sibling is not postponed. Then *one*
-//! call of `descend`, `backtrack`, `prune` or `put_aside` is compared with [`Machine`]. That all steps together are the
-//! reference's is Rocq's induction (`proofs/SOUNDNESS.md`).
+//! Keys and trails have all their bits, and trees have any size. A step reads only the nodes on the path to the root,
+//! which [`Ladder`] computes. The state is resumed from [`Paused`] and satisfies only the invariant: its bits are below
+//! the depth, and the register has the next node or, unless the sibling is postponed, nothing. Then *one* call of
+//! `descend`, `backtrack`, `prune` or `put_aside` is compared with [`Machine`]. Induction in Rocq proves that all steps
+//! together equal the reference (`proofs/SOUNDNESS.md`).
 
 mod ladder;
 mod machine;
@@ -63,7 +63,7 @@ harnesses! {
     step_sparse_disjoint_u128, step_sparse_disjoint_u128_twin, 130 long => sparse_disjoint::<u128>;
 }
 
-/// What a cursor keeps, and so shows.
+/// The visible state of a cursor.
 #[derive(Clone, Copy, Debug)]
 #[expect(clippy::struct_excessive_bools, reason = "each is kept or not, apart from the others")]
 struct Keeps {
@@ -91,11 +91,11 @@ enum Call {
     Descend,
     Backtrack,
     Prune,
-    /// To be put aside, and to be refused where the state has no register.
+    /// Pauses, which must fail if the state lacks a necessary register.
     PutAside,
 }
 
-/// Any state that a traversal can be in, and what is done there.
+/// Any state of a traversal, and the call there.
 #[derive(Clone, Copy, Debug)]
 struct Any<W, const UI: u32, const UL: u32> {
     ladder: Ladder<W, UI, UL>,
@@ -107,7 +107,7 @@ struct Any<W, const UI: u32, const UL: u32> {
     keeps: Keeps,
 }
 
-/// Bits of a number.
+/// Returns the number of bits.
 fn length(number: u128) -> u32 {
     128 - number.leading_zeros()
 }
@@ -117,7 +117,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
         let width = W::WIDTH?;
         let call = [Call::Descend, Call::Backtrack, Call::Prune, Call::PutAside][choose.bits(2) as usize];
         choose.assume(call != Call::Prune || keeps.marks)?;
-        // A key and a counter keep a bit above those of the levels; a trail alone is as long as the tree is deep.
+        // A key and a counter have a bit above those of the levels. A trail alone is as long as the tree is deep.
         let (key, limit): (W, u32) = (choose.any(), if keeps.key || keeps.counter { width - 1 } else { width });
         choose.assume(key > W::zero() || limit == width)?;
         let depth = length(key.into()) + limit - width;
@@ -148,7 +148,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
         Some(Self { ladder, machine, key, trail, marks, call, keeps })
     }
 
-    /// The same, as one traversal leaves it for another.
+    /// Returns the state as one traversal leaves it for another.
     fn paused(&self) -> Paused<W> {
         Paused {
             node: self.machine.node,
@@ -161,7 +161,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
     }
 }
 
-/// A table that is asked for one key, and only where no record has named the node.
+/// A table with one key, which is looked up only if no record has the node.
 #[derive(Clone, Copy, Debug)]
 struct Table {
     is_asked: bool,
@@ -177,7 +177,7 @@ impl<W: Full + Into<u128>> Lookup<W> for Table {
 }
 
 impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
-    /// What the machine looks up; `asks` of Register.v.
+    /// Returns the machine's lookup; `asks` of Register.v.
     fn table(&self) -> Table {
         let reach = if self.ladder.is_leaf { UL } else { UI };
         let is_asked = !self.keeps.register || self.machine.filled(&self.ladder, reach).is_none();
@@ -185,7 +185,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
         Table { is_asked, key: next.key, node: next.node }
     }
 
-    /// One call of the cursor, and of the machine.
+    /// Runs one call of the cursor, and of the machine.
     fn step(&self, choose: &mut impl Choose, mut cursor: impl Pause<Word = W>) -> Option<()> {
         let Self { ladder, machine, keeps, call, .. } = self;
         let (width, levels) = (W::WIDTH?, machine.levels());
@@ -209,7 +209,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
                 cover!(choose, is_far, "from the greatest depth over half of the word");
                 let next = machine.backtrack(ladder);
                 assert!(cursor.backtrack() == next.is_some());
-                // What a cursor is at its end nobody asks.
+                // The state of a cursor at its end is not used.
                 let next = next?;
                 choose.plant(next, |next| if is_far { Machine { trail: next.trail | 1, ..next } } else { next })
             }
@@ -233,7 +233,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
         Some(())
     }
 
-    /// All that the cursor shows.
+    /// Compares the visible state of the cursor.
     fn compare(&self, expected: Machine, cursor: &impl Pause<Word = W>) {
         let keeps = self.keeps;
         let Paused { node, register, key, trail, disjoint, next } = cursor.put_aside(Next::Backtrack);
@@ -246,7 +246,7 @@ impl<W: Full + Into<u128>, const UI: u32, const UL: u32> Any<W, UI, UL> {
     }
 }
 
-/// A cursor, with what it keeps.
+/// A cursor, with its visible state.
 macro_rules! bodies {
     ($($(#[$doc:meta])* $name:ident $(<$ui:ident, $ul:ident>)?, $keeps:expr, |$tree:ident, $table:ident| $cursor:expr;)*) => {$(
         $(#[$doc])*

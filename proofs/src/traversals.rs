@@ -1,7 +1,7 @@
-//! Every traversal is the oracle's, on all trees up to a size, whatever is decided.
+//! Proves that every traversal equals the oracle on all trees up to a size, for any decisions.
 //!
-//! The cursors are the library's; the trees and links are [`Shape`]'s, computed from keys, so that a proof has no
-//! memory to reason about. At each visit node, key, trail, counter, marks and register are compared with the
+//! The cursors are the library's. Trees and links are those of [`Shape`], computed from keys, so a proof needs no
+//! memory. At each visit, node, key, trail, counter, marks and register are compared with the
 //! [reference](crate::reference). `INNER` is the greatest number of inner nodes: trees have up to `2 INNER + 1` nodes
 //! and are up to `INNER` edges deep.
 
@@ -108,7 +108,7 @@ pub fn follows<C: Choose, T: Keyed>(
     let shape = Shape::any(choose, inner_nodes)?;
     let script = script(choose, shape);
     let tree = tree(shape);
-    // The mistake: the deepest inner node of a comb says that it wants nothing.
+    // The mistake: the deepest inner node of a comb wants no child.
     let silent_from = choose.plant(u32::MAX, |_| 1 << (inner_nodes - 1));
     let mut watch = Watch::new(&tree, script, pruning);
     run(&tree, &mut ScriptedSearch { tree: &tree, script, silent_from }, &mut watch);
@@ -118,14 +118,14 @@ pub fn follows<C: Choose, T: Keyed>(
     Some(())
 }
 
-/// Runs a cursor. (One that is refused has not visited anything, which the comparison finds.)
+/// Runs a cursor. (A refused cursor visits no node, which the comparison detects.)
 fn run<T: Keyed, E>(cursor: Result<impl Cursor, E>, search: &mut impl Pruned, watch: &mut Watch<'_, T>) {
     if let Ok(cursor) = cursor {
         traverse_pruned(cursor, search, watch);
     }
 }
 
-/// A traversal by any decisions.
+/// A traversal with any decisions.
 macro_rules! bodies {
     ($pruning:ident, $script:expr; $($(#[$doc:meta])* $name:ident $(<$k:ident>)?, |$tree:ident| $cursor:expr;)*) => {$(
         $(#[$doc])*

@@ -8,7 +8,7 @@ use stackless_bvh::generate::{Exhaustive, Rng};
 /// Random cases of one harness.
 const CASES: u32 = 20_000;
 
-/// Fewest of them that must be as assumed.
+/// Least number of cases that must satisfy the assumptions.
 const ASSUMED: u32 = CASES / 20;
 
 fn all() -> impl Iterator<Item = &'static Harness> {
@@ -26,7 +26,7 @@ fn every_claim_holds_at_random_and_every_cover_is_reached() {
     }
 }
 
-/// Whether one of so many random cases dies of the claim that the twin breaks. Of other panics none counts.
+/// Returns whether one of `cases` random cases fails by the claim that the twin breaks. Other panics do not count.
 fn is_refuted(body: impl Fn(&mut Drawn<true>) -> Option<()>, cases: u32) -> bool {
     let mut drawn = Drawn::new(Cases::Some(Rng::new(1)));
     (0..cases).any(|_| {
@@ -56,7 +56,7 @@ fn names_are_different_and_claims_name_clauses() {
     }
 }
 
-/// All cases of a body, one after the other; how many are as assumed.
+/// Runs all cases of a body. Returns the number of cases that satisfy the assumptions.
 fn exhaust(body: impl Fn(&mut Drawn<false>) -> Option<()>) -> u64 {
     let mut drawn = Drawn::new(Cases::All(Exhaustive::new()));
     let mut assumed = 0;
@@ -85,7 +85,7 @@ fn all_keys_of_16_bits() {
     assert_eq!(exhaust(hash::remainder_u64::<127, 16>), 1 << 16);
 }
 
-/// Trees with up to 3 inner nodes: 1, 1, 2 and 5 of 0, 1, 2 and 3, with 8 decisions a node.
+/// Trees with up to 3 inner nodes: 1, 1, 2 and 5 of 0, 1, 2 and 3, with 8 decisions per node.
 #[test]
 fn all_trees_of_up_to_7_nodes_and_all_decisions() {
     let cases = 1 + 8 + 2 * 64 + 5 * 512;

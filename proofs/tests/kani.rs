@@ -6,10 +6,10 @@ use std::{env, fs, process};
 
 const OUTPUT: &str = include_str!("kani.txt");
 
-/// As the binary `list` prints it, of which the names alone matter here.
+/// The output of the binary `list`, whose names alone matter here.
 const LIST: &str = "swaps_u32\tswaps_u32_twin\t2\ncounter_u32\tcounter_u32_twin\t2\n";
 
-/// What is said of an output; `Err` where it is not accepted.
+/// Returns the report about an output; `Err` if it is not accepted.
 fn judge(name: &str, list: &str, output: &str) -> Result<String, String> {
     let folder = env::temp_dir().join(format!("kani-{}-{name}", process::id()));
     fs::create_dir(&folder).unwrap();
@@ -29,10 +29,10 @@ fn an_output_without_faults_is_accepted() {
     assert_eq!(judge("right", LIST, OUTPUT).unwrap(), "2 harnesses and their twins, 0 faults\n");
 }
 
-/// One harness, its twin, or one line of theirs is not as it must be.
+/// One harness, its twin, or one of their lines is invalid.
 #[test]
 fn each_fault_of_an_output_is_seen() {
-    // Everything of one harness but its lines `from` to `to`.
+    // The whole output of one harness except its lines `from` to `to`.
     let without = |name: &str, from: &str, to: &str| {
         let (before, rest) = OUTPUT.split_once(&format!("{name}...\n")).unwrap();
         let (kept, rest) = rest.split_once(from).unwrap();
@@ -48,7 +48,7 @@ fn each_fault_of_an_output_is_seen() {
             "swaps_u32: not all covers",
         ),
         (without("counter_u32", covers, ""), "counter_u32: not all covers"),
-        // The description of the claim still stands at its check.
+        // The description of the claim is still at its check.
         (
             without("swaps_u32_twin", claim, "Failed Checks: attempt to subtract with overflow"),
             "swaps_u32_twin: its claim",

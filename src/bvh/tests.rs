@@ -5,7 +5,7 @@ use crate::generate::procedural;
 use crate::geom::Mesh;
 use crate::order::SignOrder;
 
-/// Triangles with the given first corners, all of the same shape.
+/// Returns triangles of equal shape with the given first corners.
 fn mesh(corners: impl IntoIterator<Item = Vec3>) -> Mesh {
     let vertices: Vec<_> = corners.into_iter().flat_map(|c| [c, c + Vec3::X, c + Vec3::Y]).collect();
     let triangles = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
@@ -16,7 +16,7 @@ fn scattered(n: usize) -> Mesh {
     procedural::soup(11, n)
 }
 
-/// Meshes that are hard to divide.
+/// Returns meshes that are difficult to split.
 pub(super) fn awkward() -> Vec<Mesh> {
     let along = |n: usize| (0..n).map(|i| Vec3::splat(i as f32));
     let mut meshes: Vec<_> = [1, 2, 3, 5, 8, 9, 100].map(scattered).into();
@@ -24,12 +24,12 @@ pub(super) fn awkward() -> Vec<Mesh> {
     meshes.push(mesh(along(1000)));
     meshes.push(mesh((0..130).map(|i| Vec3::X * 2f32.powi(i - 64))));
     meshes.push(mesh((0..999).map(|i| Vec3::new(if i == 7 { 3e38 } else { -3e38 }, 0.0, 0.0))));
-    // The same centroid, different sizes.
+    // Equal centroids, different sizes.
     let nested =
         (1..200).flat_map(|i| [[-1.0, 0.0], [1.0, -1.0], [1.0, 1.0]].map(|[x, y]| Vec3::new(x, y, 0.0) * i as f32));
     meshes
         .push(Mesh::new(nested.collect(), (0..199).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh"));
-    // Points, all on a line: every box has area 0.
+    // Points on a line: every box has area 0.
     meshes.push(Mesh::new(along(500).collect(), (0..500).map(|i| [i; 3]).collect()).expect("a mesh"));
     meshes
 }
@@ -90,7 +90,7 @@ fn the_median_cuts_the_longest_axis() {
     let wide = mesh((0..64).map(|i| Vec3::new((i / 16) as f32, (i % 16) as f32, 0.0)));
     let bvh = Bvh::median(&wide, 16).expect("a tree");
     assert_eq!(bvh.axes(), [1, 1, 1]);
-    // Squares now: the first axis of equals.
+    // For squares, the first of the longest axes.
     assert_eq!(Bvh::median(&wide, 8).expect("a tree").axes()[2], 0);
 }
 

@@ -2,7 +2,7 @@ use super::*;
 use crate::order::{Descent, Side, Visitor};
 use crate::tree::Tree;
 
-/// Has all that a state can have.
+/// Returns a state with all optional parts.
 fn full(is_restarting: bool) -> State<u32> {
     State {
         node: Node::inner(2),
@@ -42,7 +42,7 @@ fn restarts_are_left_out_of_a_trace_and_clearing_empties_it() {
     assert!(trace.nodes().is_empty());
 }
 
-/// Left first, and nothing below one node.
+/// Visits the left child first, and no child of one node.
 struct But(usize);
 
 impl Visitor for But {
@@ -70,7 +70,7 @@ fn backtracks_name_the_key_and_the_levels() {
     };
     let whole = [Enter(1), Enter(2), Enter(4), Leaf(8), Backtrack(9, 0), Leaf(9), Backtrack(5, 1), Leaf(5)];
     assert_eq!(events(&mut But(9)), [&whole[..], &[Backtrack(3, 1), Leaf(3), End]].concat());
-    // After an inner node that wants no child, the next one is none of its children.
+    // After an inner node without wanted children, the next node is not its child.
     let cut = [Enter(1), Enter(2), Enter(4), Backtrack(5, 0), Leaf(5), Backtrack(3, 1), Leaf(3), End];
     assert_eq!(events(&mut But(3)), cut);
     assert_eq!(events(&mut But(1)), [Enter(1), Enter(2), Backtrack(3, 0), Leaf(3), End]);

@@ -1,4 +1,4 @@
-//! What tests against rationals share: numbers at the thresholds of the format, and what these are exactly.
+//! Helpers of tests against rational arithmetic: numbers at the thresholds of the format, and their exact values.
 
 use glam::DVec3;
 use proptest::prelude::*;
@@ -7,41 +7,41 @@ use super::truth::RBig;
 use super::{Frame, Interval};
 use crate::generate::draw::Draw;
 
-/// Doubles at thresholds, as [`Draw::threshold`] has them.
+/// Draws doubles at thresholds, like [`Draw::threshold`].
 pub(crate) fn threshold() -> impl Strategy<Value = f64> + Clone {
     any::<u64>().prop_map(|seed| Draw::new(seed).threshold())
 }
 
-/// The same in single precision.
+/// Draws floats at thresholds.
 pub(crate) fn threshold_in_single() -> impl Strategy<Value = f32> + Clone {
     any::<u64>().prop_map(|seed| Draw::new(seed).threshold_in_single())
 }
 
-/// A finite number.
+/// Returns the exact value of a finite number.
 pub(crate) fn exact(x: impl Into<f64>) -> RBig {
     RBig::try_from(x.into()).expect("a finite number")
 }
 
-/// Whether a number is between the ends.
+/// Returns whether a number is between the ends.
 pub(crate) fn holds(interval: Interval, x: &RBig) -> bool {
     let [lo, hi] = interval.ends();
     let is_above = RBig::try_from(lo).map_or(lo == f64::NEG_INFINITY, |lo| lo <= *x);
     is_above && RBig::try_from(hi).map_or(hi == f64::INFINITY, |hi| *x <= hi)
 }
 
-/// From the lesser of two numbers to the greater.
+/// Returns the interval between two numbers.
 pub(crate) fn sorted([x, y]: [f64; 2]) -> Interval {
     Interval::between(if x <= y { [x, y] } else { [y, x] })
 }
 
-/// An exponent of a frame, which half of the time takes a number to a threshold.
+/// Draws the exponent of a frame. Half of the exponents scale the number to a threshold.
 pub(crate) fn exponent(draw: &mut Draw, x: f64) -> i32 {
     let place = [-1074, -1022, 1023, 0][draw.below(4)] - super::frame::exponent_of(x.abs()) + draw.int(2) as i32;
     let any = draw.int(Frame::MAX_EXPONENT) as i32;
     if draw.one_in(2) { any } else { place.clamp(-Frame::MAX_EXPONENT, Frame::MAX_EXPONENT) }
 }
 
-/// Vectors of a few numbers at thresholds, up to a magnitude, so that coordinates often coincide.
+/// Draws vectors from a few numbers at thresholds, up to a magnitude, so coordinates often coincide.
 pub(crate) fn vectors<const N: usize>(draw: &mut Draw, most: f64, number: fn(&mut Draw) -> f64) -> [DVec3; N] {
     let mut small = || loop {
         let x = number(draw);

@@ -38,7 +38,7 @@ fn depth_limits_are_those_of_the_inventory() {
     assert!(Grow::carries(u32::MAX, 1).is_ok());
 }
 
-/// One step of a random program on a growing word and on `u128`.
+/// One step of a random program, for the growing word and for `u128`.
 #[derive(Clone, Debug)]
 enum Step {
     Push(bool),
@@ -88,7 +88,7 @@ proptest! {
                     value += 1;
                 }
                 Step::Fill => {
-                    // Ones below the highest.
+                    // Ones below the highest one.
                     let ones = u128::MAX.checked_shr(128 - value.bit_length()).unwrap_or(0);
                     (word, value) = (word.or(&grow(ones)), value | ones);
                 }
@@ -149,13 +149,13 @@ fn the_extension_is_left_alone_by_shallow_values() {
     assert_eq!(word.clone().shl1().shl1().shr(2), word);
 }
 
-/// As children make it: nothing is stored above its highest bit.
+/// Returns a word like those of children: without stored zeros above its highest bit.
 fn short(value: u128) -> Grow {
     let below = (0..value.bit_length().saturating_sub(1)).rev();
     below.fold(Grow::from_bit(value > 0), |word, bit| child(word, Grow::from_bit(value >> bit & 1 == 1)))
 }
 
-/// Bits that an operation loses, or stores where they do not count, show after the result has been shifted up.
+/// Lost bits, and stored bits that should not count, appear after the result is shifted up.
 #[test]
 fn operands_of_any_two_lengths() {
     let lengths = [1, 2, 3, 30, 62, 63, 64, 65, 100, 125, 126];
@@ -181,7 +181,7 @@ fn operands_of_any_two_lengths() {
     }
 }
 
-/// Shifted up from 1 or 0, a word is stored in no more bits than it was shifted by.
+/// A word that was shifted up from 1 or 0 stores no more bits than it was shifted by.
 #[test]
 fn operands_of_any_two_shifts() {
     let number = |word: &Grow| {
@@ -216,14 +216,14 @@ fn a_level_starts_at_the_leading_one() {
 #[test]
 fn growing_words_are_equal_by_value() {
     let ones = |n: u32| u128::MAX >> (128 - n);
-    // Stored in as many bits and in more, with and without leading zeros.
+    // Stored in equal and in different numbers of bits, with and without leading zeros.
     assert_eq!((0..63).fold(Grow::zero(), |word, _| word.shl1()), Grow::zero());
     assert_eq!(short(0b101), grow(0b101));
     assert_ne!(short(0b101), grow(0b110));
     assert_ne!(short(0b101), short(0b110));
     let long = 1 << 100 | 1;
     assert!(short(long) != short(long ^ 2) && short(long) != short(long ^ 1 << 99));
-    // The first piece of one is all of the other.
+    // The first piece of one word equals the whole other word.
     assert!(short(ones(63)) != grow(ones(126)) && grow(ones(126)) != short(ones(63)));
     let hash = |word: &Grow| {
         let mut hasher = std::hash::DefaultHasher::new();

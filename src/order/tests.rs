@@ -38,7 +38,7 @@ fn decisions_are_marked_once_and_say_what_they_are() {
     }
 }
 
-/// Says nothing of what prunes.
+/// Has no answers about pruning.
 struct Plain;
 
 impl Visitor for Plain {
@@ -50,7 +50,7 @@ impl Visitor for Plain {
     }
 }
 
-/// Answers each question in a way of its own.
+/// Answers each query differently.
 struct Answers;
 
 impl Visitor for Answers {
@@ -89,7 +89,7 @@ impl NodeTest for Answers {
     }
 }
 
-/// All that a visitor answers about a node.
+/// Returns all answers of a visitor about a node.
 fn answers(mut visitor: impl Pruned, index: u32) -> (Descent, Flow, [bool; 3], Descent, bool, u32, u32) {
     let (inner, leaf) = (Node::inner(index), Node::leaf(index));
     let allowed = [Pruning::Never, Pruning::Disjoint, Pruning::Distance].map(|pruning| visitor.allows(pruning));
@@ -128,7 +128,8 @@ fn the_near_child_is_the_one_the_ray_comes_from() {
     for octant in 0..8 {
         let order = SignOrder { axes: &axes, octant };
         for (i, &axis) in axes.iter().enumerate() {
-            // Left holds the smaller coordinates unless reversed; they are far where the direction is negative.
+            // The left child has the smaller coordinates unless reversed. They are farther away if the direction is
+            // negative.
             let is_negative = octant >> (axis & 3) & 1 == 1;
             let is_reversed = axis >= SignOrder::REVERSED;
             assert_eq!(order.first(Node::inner(i as u32)), Side::right_if(is_negative != is_reversed));

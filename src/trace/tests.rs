@@ -7,7 +7,7 @@ use crate::geom::{Aabb, Mesh, Ray};
 use crate::order::{ByNode, Flow, LeftOrder, SignOrder, Visitor};
 use crate::tree::{Node, Topology};
 
-/// The traversal that all others are measured by.
+/// The reference traversal.
 fn walk(bvh: &Bvh, node: Node, visitor: &mut impl Visitor) -> Flow {
     if node.is_leaf() {
         return visitor.leaf(node);

@@ -23,7 +23,7 @@ fn the_counter_is_the_complement_for_every_depth_of_u8() {
             assert_eq!(trail == 0, counter == start - 1);
             if trail != 0 {
                 assert_eq!((counter + 1).trailing_zeros(), trail.trailing_zeros());
-                // Incrementing and shifting the counter is backtracking the trail, one level up or more.
+                // Incrementing and shifting the counter backtracks the trail by one or more levels.
                 let up = trail.trailing_zeros();
                 assert_eq!(super::counter((counter + 1) >> up, start >> up), leave(trail));
             }
@@ -62,7 +62,7 @@ proptest! {
         check(key as u32, trail as u32);
         check(key as u64, trail as u64);
         check(key, trail);
-        // The same bits, repeated to any length, in the growing word.
+        // Repeats the bits to any length, for the growing word.
         let repeat = |bits: u128| {
             (0..pushes).fold(Grow::one(), |word, i| word.shl1().or(&Grow::from_bit(bits >> (i % 128) & 1 == 1)))
         };

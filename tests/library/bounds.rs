@@ -1,4 +1,4 @@
-//! The error bounds of spec/exactness.md: none is ever exceeded, and none could be halved.
+//! Tests of the error bounds of spec/exactness.md: none is ever exceeded, and none could be halved.
 
 mod draw;
 mod dyadic;
@@ -8,7 +8,7 @@ mod quotient;
 mod slab;
 mod worst;
 
-/// The constants under test: those of the library, and those that only spec/exactness.md has.
+/// The constants under test: the library's, and further ones from spec/exactness.md.
 mod constants {
     use stackless_bvh::geom::{kernel, slabs};
 
@@ -24,19 +24,19 @@ mod constants {
     pub(crate) const DISTANCE: f32 = kernel::DISTANCE as f32;
     /// Least E of the stage in single precision where the direction is scaled so that 1 <= D < 2.
     pub(crate) const FLOOR: f32 = kernel::MIN_EDGE;
-    /// Least E where the direction is taken as it is, with D in `LENGTHS`.
+    /// Least E with an unscaled direction, with D in `LENGTHS`.
     pub(crate) const FLOOR_UNSCALED: f32 = f32::from_bits((127 - 50) << 23);
     /// 2^-20 and 2^20.
     pub(crate) const LENGTHS: [f32; 2] = [f32::EPSILON * 8.0, 1_048_576.0];
     /// Greatest coordinate of the stage in single precision.
     pub(crate) const REACH: f32 = kernel::MAX_COORDINATE;
-    /// Relative error of the quotient: this times what the errors of T and det make of it ...
+    /// Relative error of the quotient: this times the effect of the errors of T and det ...
     pub(crate) const QUOTIENT: f64 = kernel::QUOTIENT_FACTOR;
     /// ... and this times u.
     pub(crate) const QUOTIENT_ROUNDINGS: f64 = kernel::QUOTIENT as f64;
     /// Steps down and up from the rounded reciprocal.
     pub(crate) const STEPS: u32 = slabs::STEPS;
-    /// The same where the rounded entry must be below the exact one, not only below its rounded value.
+    /// Steps that make the rounded entry at most the exact one, not only at most its rounded value.
     pub(crate) const STRICT_STEPS: u32 = slabs::STRICT_STEPS;
     /// Factors of the two-sided slab test: 1 - 3u and 1 + 4u.
     pub(crate) const DOWN: f32 = slabs::PADDING[0];

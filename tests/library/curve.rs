@@ -23,12 +23,12 @@ fn split(right: &mut [RBig], t: &RBig) -> Vec<RBig> {
     left
 }
 
-/// Whether the curve is nowhere closer than `lo`, and at `t` as close as `hi`.
+/// Returns whether the curve is nowhere closer than `lo`, and at `t` as close as `hi`.
 fn is_true(points: &[[f64; 2]], to: [f64; 2], t: f64, [lo, hi]: [f64; 2]) -> bool {
     let n = points.len() - 1;
     let [lo, hi] = [lo, hi].map(|x| exact(x).sqr());
     let offset = |i: usize, k: usize| exact(points[i][k]) - exact(to[k]);
-    // The squared distance, less that of `lo`.
+    // The squared distance, minus that of `lo`.
     let mut squares = vec![-&lo; 2 * n + 1];
     for (i, j) in (0..=n).flat_map(|i| (0..=n).map(move |j| (i, j))) {
         let dot = offset(i, 0) * offset(j, 0) + offset(i, 1) * offset(j, 1);
@@ -57,8 +57,8 @@ fn the_judge_is_not_blind() {
     );
 }
 
-/// Curves and points of any numbers, and of small whole ones: ties, cusps, a point that is on the curve, a curve that is
-/// a point. [CURVE-1] [CURVE-3] [CURVE-4] [CURVE-5]
+/// Curves and points with arbitrary numbers, and with small integers: ties, cusps, a point on the curve, a curve that
+/// is a point. [CURVE-1] [CURVE-3] [CURVE-4] [CURVE-5]
 #[test]
 fn enclosures_hold_and_are_those_of_the_oracle() {
     let mut reached = 0;
@@ -104,7 +104,7 @@ fn intervals_are_rounded_outwards() {
     let mut random = Rng::new(1);
     let mut number = || {
         let size = [-53, -60, 250, -400, -1074][random.below(5) as usize];
-        // In two steps: no power of two is subnormal.
+        // In two steps, so no power of two is subnormal.
         (random.below(1 << 54) as f64 - 2f64.powi(53)) * 2f64.powi(size / 2) * 2f64.powi(size - size / 2)
     };
     for _ in 0..10_000 {

@@ -1,7 +1,7 @@
-//! The slips of the papers (spec/DEPARTURES.md): what is printed goes wrong on the case of `spec/departures`, in the
-//! way that the file says, and on no smaller one; the library is right there.
+//! The errors of the papers (spec/DEPARTURES.md): the printed algorithm fails on the case of `spec/departures` as the
+//! file describes, and on no smaller one. The library is right there.
 //!
-//! The cases are found anew by `UPDATE=1 cargo test --test library departures`.
+//! `UPDATE=1 cargo test --test library departures` searches for the cases again.
 
 mod implicit;
 mod machine;
@@ -21,34 +21,34 @@ use crate::disjoint::{self, Marks};
 use implicit::{Implicit, Reading};
 use machine::{Machine, Slip};
 
-/// Where the smallest case is looked for.
+/// Where to search for the smallest case.
 #[derive(Clone, Copy)]
 enum Among {
-    /// All trees of up to so many leaves under all hits and preferences.
+    /// All trees of up to a number of leaves under all hits and preferences.
     Small(u32),
-    /// Chains: what needs depth.
+    /// Chains, for depth.
     Chains,
-    /// Random trees under tapes of a kind, made small.
+    /// Random trees with tapes of a kind, which are then shrunk.
     Random(Kind),
 }
 
-/// What is printed.
+/// The printed algorithms.
 #[derive(Clone, Copy, Debug)]
 enum Printed {
     /// Algorithm 1 of Binder & Keller 2016.
     Algorithm1(Slip),
-    /// The same with the second trail of Section 2.3.
+    /// Algorithm 1 with the second trail of Section 2.3.
     SecondTrail(Slip),
     /// Algorithm 2 of Barringer & Akenine-Möller 2013.
     Algorithm2(Reading),
-    /// Hapala's traversal, whose first visit is that of the root's near child.
+    /// Hapala's traversal, which first visits the root's near child.
     RootUntested,
-    /// A search that says *found* wherever the best hit is, also beyond its leaf's end.
+    /// A search that reports *found* for every best hit, even beyond its leaf's end.
     FoundBeyondEnd,
 }
 
 impl Printed {
-    /// The reference that it is compared with.
+    /// Returns the test of its reference.
     const fn test(self) -> Test {
         match self {
             Self::Algorithm1(_) | Self::Algorithm2(_) => Test::Children,
@@ -57,7 +57,7 @@ impl Printed {
         }
     }
 
-    /// How it differs from its reference over a case; `None` if it does not.
+    /// Returns the difference from its reference over a case, if any.
     fn fault(self, case: &Case) -> Option<Fault> {
         let (tree, tape) = (&case.tree, &case.tape);
         let verdict = Battery::new(case, &[]).judge(self.test(), false, |search, watch, _, _| {
@@ -114,7 +114,7 @@ const DEPARTURES: [Departure; 12] = [
 ];
 
 impl Departure {
-    /// The first case that goes wrong, smaller ones first.
+    /// Returns the first failing case, smaller ones first.
     fn smallest(&self) -> Case {
         let printed = self.printed;
         let found = match self.among {
@@ -134,7 +134,7 @@ impl Departure {
     }
 }
 
-/// The first case of so many leaves that goes wrong.
+/// Returns the first failing case with this number of leaves.
 fn first(printed: Printed, leaves: u32) -> Option<Case> {
     let mut all = Exhaustive::new();
     while all.next_case() {
@@ -146,7 +146,7 @@ fn first(printed: Printed, leaves: u32) -> Option<Case> {
     None
 }
 
-/// A tree with so many leaves, and any hits and preferences at the nodes that are reached.
+/// Draws a tree with this number of leaves, and any hits and preferences at the reached nodes.
 fn small(source: &mut impl Source, leaves: u32) -> Case {
     let children = shape(source, leaves);
     let tree = Tree::new(&children).expect("a tree");
@@ -161,11 +161,11 @@ fn small(source: &mut impl Source, leaves: u32) -> Case {
         }
     }
     let tape = Tape::from_cells(&tree, cells).expect("a tape");
-    // Under this octant the order by sign is the tape's own.
+    // In this octant the order by sign equals the tape's.
     Case { tree, tape, any: false, octant: 2 }
 }
 
-/// Chains of growing depth: only the deep child is wanted, or it comes first, or last.
+/// Returns chains of growing depth. Only the deep child is wanted, or it comes first, or last.
 fn chains() -> impl Iterator<Item = Case> {
     (1..=10_u32).flat_map(|depth| {
         (0..6).map(move |kind| {
@@ -182,7 +182,7 @@ fn chains() -> impl Iterator<Item = Case> {
     })
 }
 
-/// A leaf beside each inner node; even places go down.
+/// Returns a chain with a leaf as the sibling of each inner node. Even indices continue downwards.
 fn chain(depth: u32, right: bool) -> Vec<Option<[u32; 2]>> {
     let children = |at| if right { [at + 1, at + 2] } else { [at + 2, at + 1] };
     (0..=2 * depth).map(|at| (at % 2 == 0 && at < 2 * depth).then(|| children(at))).collect()
@@ -241,7 +241,7 @@ fn no_smaller_case_does() {
     }
 }
 
-/// A case that shows a fault is made small, and comes back from a file with its fault.
+/// A failing case is shrunk, and keeps its fault through a file.
 #[test]
 fn a_found_case_is_made_small() {
     let printed = Printed::Algorithm1(Slip::DoneIsMinusOne);
@@ -265,7 +265,7 @@ fn a_found_case_is_made_small() {
     assert!(count > 5, "{count}");
 }
 
-/// What is no case of a tree: addresses that are shared, numbers, sizes.
+/// Errors without a case of a tree: shared addresses, numbers, sizes.
 #[test]
 fn slips_that_numbers_show() {
     // D-2: both children at one address. By address the key turns right wherever the search goes.
@@ -282,19 +282,19 @@ fn slips_that_numbers_show() {
     assert_eq!(level_start.checked_add(level_index).and_then(|sum| sum.checked_add(swap_mask)), None);
     assert_eq!(level_start | swap::fcomp(level_index, &swap_mask), 128);
 
-    // D-23: three nodes, of which none is hashed. D-24: resumed by key alone at 3, the search comes to 2 again.
+    // D-23: three nodes, none of them hashed. D-24: resumed by key alone at 3, the search visits 2 again.
     let tree = Tree::new(&chain(1, false)).expect("a chain");
     assert!(!KeySet::Exact(Reach::ALGORITHM_1).slots(&tree).contains(&true));
     assert_eq!(trail::backtrack(3_u32, 1), (2, 0));
 
-    // D-25: (k + d) mod H in 32 bits. Reduced first it is right.
+    // D-25: (k + d) mod H overflows in 32 bits. Reducing first gives the right result.
     let (k, d, h) = (u32::MAX, 1_u32, 7_u32);
     assert_eq!(k.wrapping_add(d) % h, 0);
     assert_eq!((k % h + d) % h, ((u64::from(k) + u64::from(d)) % u64::from(h)) as u32);
     assert_ne!((k % h + d) % h, 0);
 }
 
-/// D-26: the printed function has no table for some trees, and its linear search no end that is stated. [HASH-4]
+/// D-26: for some trees no table with the printed function exists, and its linear search has no stated limit. [HASH-4]
 #[test]
 fn chains_without_a_printed_table() {
     let shallowest = |key_set| {
@@ -309,7 +309,7 @@ fn chains_without_a_printed_table() {
     assert_eq!(shallowest(KeySet::Paper), Some(15));
 }
 
-/// D-9: a counter that is not asked whether it is at its end climbs to the root, one step for each level.
+/// D-9: a counter without an end test climbs to the root, one step per level.
 #[test]
 fn what_the_climb_to_the_root_costs() {
     for depth in 1..=7_u32 {

@@ -1,4 +1,4 @@
-//! Trees deeper than a word: cut into pieces, and, in ray tracing, by the growing word and by pieces.
+//! Trees deeper than a word: divided into pieces, and, in ray tracing, with the growing word and in pieces.
 
 mod rays;
 
@@ -14,13 +14,13 @@ fn methods() -> Vec<Method> {
     Pieces::<Tree>::methods().collect()
 }
 
-/// What a battery says of a traversal in pieces.
+/// Checks a traversal in pieces.
 fn check<W: KeyWord>(battery: &mut Battery<'_>, pieces: &Pieces<'_, Linked<'_, Tree>>, method: Method) -> Verdict {
     battery.judge(method.test(), method.restarts(), |search, watch, _, _| pieces.run::<W>(method, search, watch))
 }
 
-/// All traversals of a case whose tree is cut every `levels` levels, in one word: how many agreed. What is refused is
-/// too deep for the word.
+/// Runs all traversals of a case whose tree is cut every `levels` levels, with one word. Returns the number that
+/// agreed. The only permitted refusal is that the tree is too deep for the word.
 fn agreeing<W: KeyWord>(case: &Case, levels: u32) -> usize {
     let (linked, mut battery) = (Linked::both(&case.tree), Battery::new(case, &[]));
     let cuts = Cuts::every(levels, &linked);
@@ -69,7 +69,7 @@ fn random_trees_cut_every_1_to_31_levels() {
     for levels in 1..=31 {
         for seed in 0..60 {
             let case = Case::random(1000 * u64::from(levels) + seed, CaseOptions::default());
-            // One form of Algorithm 2 carries 30 levels in 32 bits, all others more.
+            // One form of Algorithm 2 supports 30 levels in 32 bits, and all other forms support more.
             let refused = usize::from(levels.min(case.tree.depth()) == 31);
             assert_eq!(agreeing::<u32>(&case, levels), methods().len() - refused);
         }
@@ -106,10 +106,10 @@ fn a_depth_of_1000_in_narrow_words() {
     }
 }
 
-/// Traversals that are made for such depths.
+/// Traversals designed for such depths.
 const FOR_ANY_DEPTH: [Method; 5] = [Method::Sparse, Method::Afra, Method::Uncle, Method::HashOnly, Method::Hashed];
 
-/// The first visits, so many of them: then the traversal is stopped.
+/// Records a number of visits, and then stops the traversal.
 #[derive(PartialEq)]
 struct First(Trace, usize);
 
@@ -119,7 +119,7 @@ impl Recorder for First {
     }
 }
 
-/// A chain that goes to one side all the way.
+/// Returns a chain that goes to one side at every level.
 fn chain(depth: u32, right: bool) -> Tree {
     let next = |i: u32| if right { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
     let children: Vec<_> = (0..depth).flat_map(|i| [Some(next(i)), None]).chain([None]).collect();
@@ -163,7 +163,7 @@ fn a_depth_of_100_000_in_narrow_words() {
     }
 }
 
-/// A recorder may end a traversal anywhere: in a piece, at a cut, and on the way back.
+/// A recorder may stop a traversal anywhere: in a piece, at a cut, and on a backtrack.
 #[test]
 fn the_memory_of_a_stopped_traversal_serves_the_next() {
     let case = Case::random(8, CaseOptions { family: Some(Family::Comb), depth: Some(40) });

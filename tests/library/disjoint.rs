@@ -1,4 +1,4 @@
-//! The second trail loses no hit, and what it needs for that.
+//! The second trail loses no hit, if its requirements are met.
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions};
@@ -12,16 +12,16 @@ use stackless_bvh::traverse::{Method, Tables, Unsupported};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::Case;
 
-/// What a search says to a traversal that prunes.
+/// The marks of a search for a pruning traversal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Marks {
-    /// What it has to.
+    /// The required marks.
     Right,
     /// Intervals that touch are marked as disjoint.
     Touching,
-    /// The far child comes first, and children are marked as if the near one did.
+    /// The far child comes first, but children are marked as if the near one did.
     FarFirst,
-    /// *Found* is said wherever the best hit is, also beyond its leaf's end.
+    /// *Found* is reported for every best hit, even beyond its leaf's end.
     BeyondEnd,
 }
 
@@ -82,7 +82,7 @@ impl Pruned for Marked<'_, '_> {
 /// Runs a traversal with a second trail over a case.
 ///
 /// # Errors
-/// [`Unsupported`], where the tree is too deep.
+/// [`Unsupported`], if the tree is too deep.
 pub(crate) fn traverse(
     case: &Case,
     search: &mut Search<'_, Tree>,
@@ -94,7 +94,7 @@ pub(crate) fn traverse(
     tables.run::<u64, _>(method, 0, &mut Vec::new(), &mut Marked { case, search, marks }, recorder)
 }
 
-/// In how many of 4,000 cases a hit is lost, and how many visits are saved in all.
+/// Returns the number of cases, out of 4,000, that lose a hit, and the total number of saved visits.
 fn lost(marks: Marks) -> (usize, usize) {
     let (mut lost, mut saved) = (0, 0);
     for seed in 0..4000 {
@@ -102,7 +102,7 @@ fn lost(marks: Marks) -> (usize, usize) {
         let kind = if seed % 2 == 0 { Kind::Intervals } else { Kind::Clipped };
         let tree = Family::ALL[(seed / 2) as usize % Family::ALL.len()].tree(&mut rng, 16);
         let case = Case { any: false, ..Case::with_tree(tree, kind, &mut rng) };
-        // Few distances, so that many are equal.
+        // Few distinct distances, so ties are frequent.
         let coarse = |distance: u32| distance >> 15;
         let cells = case.tape.cells().iter().map(|cell| Cell {
             enter: coarse(cell.enter),
@@ -140,7 +140,7 @@ fn what_the_marks_need() {
     }
 }
 
-/// Long, thin triangles across each other: their boxes say little, those of their parts more.
+/// Returns long, thin triangles across each other. Bounds of their parts are much tighter than their own.
 fn diagonals() -> Mesh {
     let mut rng = Rng::new(8);
     let mut point = || Vec3::from([0; 3].map(|_| rng.below(1000) as f32));
@@ -182,9 +182,9 @@ fn searches_without_order_are_refused() {
             }
         };
         assert_eq!(run(&bvh, false), Ok(()), "{method}");
-        // The order is not that along the ray.
+        // The order is not the order along the ray.
         assert_eq!(run(&bvh, true), Err(Unsupported::Unordered), "{method}");
-        // Hits may lie outside the leaves' boxes, and the boxes are not there. Distances need none.
+        // Hits may be outside the leaves' boxes. Pruning by distance does not need the boxes.
         let expected = if method == Method::StackT0 { Ok(()) } else { Err(Unsupported::Unordered) };
         assert_eq!(run(&split, false), expected, "{method}");
     }

@@ -7,7 +7,7 @@ use stackless_bvh::geom::kernel::{Exact64, Kernel};
 use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
 use stackless_check::{check_degenerate, check_triangle};
 
-/// Exact for the exponents of normal numbers.
+/// Returns a power of two, exact for the exponents of normal numbers.
 fn power_of_two(exponent: i32) -> f64 {
     2f64.powi(exponent)
 }
@@ -20,7 +20,7 @@ fn is_exact(triangle: Triangle<DVec3>, ray: &Ray<DVec3>) -> Result<bool, TestCas
     check_triangle::<Exact64, _>(&triangle, ray).map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
 
-/// The same at the ends of intervals that are the distance, and its neighbours.
+/// Checks exactness with intervals that end at the distance and at its neighbours.
 fn is_exact_at_its_ends(triangle: Triangle<DVec3>, ray: &Ray<DVec3>) -> Result<(), TestCaseError> {
     is_exact(triangle, ray)?;
     let Some(t) = kernel(ray, &triangle.aabb()).distance(&triangle, f64::INFINITY).filter(|t| t.is_finite()) else {
@@ -34,7 +34,7 @@ fn is_exact_at_its_ends(triangle: Triangle<DVec3>, ray: &Ray<DVec3>) -> Result<(
     Ok(())
 }
 
-/// Numbers of all magnitudes, with those at the ends of the ranges, and few enough others to meet again.
+/// Draws numbers of all magnitudes, including range limits, from few values, so equal numbers occur.
 fn number() -> impl Strategy<Value = f64> {
     let few = vec![0.0, -0.0, 1.0, -1.0, 0.5, 3.0, f64::MAX, -f64::MAX, f64::MIN_POSITIVE, 5e-324, -1e-310];
     let ends = [-200, -201, 200, 201, -250, 250, -400, 128].map(power_of_two);
@@ -50,7 +50,7 @@ fn vector() -> impl Strategy<Value = DVec3> {
     [number(), number(), number()].prop_map(DVec3::from)
 }
 
-/// A triangle, and a ray at a point with simple weights, so that edges and corners are often met or nearly so.
+/// Draws a triangle, and a ray at a point with simple weights, so edges and corners are often hit exactly or almost.
 fn aimed() -> impl Strategy<Value = (Triangle<DVec3>, Ray<DVec3>)> {
     let weight = || prop_oneof![Just(0.0f64), Just(1.0), Just(0.5), 0.0..1.0f64, -0.1..1.1f64];
     let tame = || [-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64].prop_map(DVec3::from);
@@ -104,7 +104,7 @@ proptest! {
     }
 }
 
-/// Powers of two at which each stage meets the limits of the range.
+/// Powers of two at which each stage reaches the limits of the range.
 #[test]
 fn at_the_ends_of_the_range() {
     let mut hits = 0;
@@ -125,7 +125,7 @@ fn at_the_ends_of_the_range() {
     assert!(hits > 60, "{hits}");
 }
 
-/// Hits at middles between doubles, exactly and all but.
+/// Hits exactly at midpoints between doubles, and almost.
 #[test]
 fn ties_go_to_even() {
     for odd in [0, 1, 2, 3u32] {
@@ -135,7 +135,7 @@ fn ties_go_to_even() {
         let triangle =
             Triangle([DVec3::new(-1.0, -1.0, low), DVec3::new(3.0, -1.0, low + 4.0), DVec3::new(-1.0, 3.0, low)]);
         for nudge in [0.0, power_of_two(-70), -power_of_two(-70)] {
-            // With a nudge, as much more or less, which the first quotients do not show.
+            // The nudge adds or subtracts an amount that the first quotients do not show.
             let ray = Ray::new(DVec3::X * nudge, DVec3::Z).expect("a ray");
             assert!(is_exact(triangle, &ray).expect("the truth"));
             let found = kernel(&ray, &triangle.aabb()).distance(&triangle, f64::INFINITY).expect("a hit");

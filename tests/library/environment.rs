@@ -1,4 +1,4 @@
-//! Threads whose floats are not those of IEEE 754: this program runs itself with a library before it that sets them.
+//! Threads whose float modes differ from IEEE 754. This program runs itself with a preloaded library that sets them.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
 
 use std::collections::BTreeSet;
@@ -14,10 +14,10 @@ use stackless_bvh::geom::{
 use stackless_bvh::glam::Vec3;
 use stackless_bvh::trace::{Assembly, BinaryTracer, Instance, MeshQueries, Object, RayQueries, Tracer};
 
-/// Bits of the control register, and what is wrong then.
+/// Bits of the control register, and the resulting error.
 const MODES: [(&str, Result<(), EnvironmentError>); 6] = [
     ("0", Ok(())),
-    // Results below the least normal number are zero; such arguments are zero.
+    // Results below the least normal number become zero, or such arguments do.
     ("8000", Err(EnvironmentError::Subnormals)),
     ("0040", Err(EnvironmentError::Subnormals)),
     // Down, up, towards zero.
@@ -39,7 +39,7 @@ fn unfit_threads_are_refused() {
     }
 }
 
-/// Runs one of the tests below with these bits, of the thread that runs it, the next one, and all others.
+/// Runs one of the tests below with these bits, on its thread, the next one, or all remaining threads.
 fn run(library: &Path, test: &str, bits: &str) {
     let mut command = Command::new(std::env::current_exe().unwrap());
     command.args(["--exact", test, "--ignored"]).env("LD_PRELOAD", library).env("FLOATS", bits);
@@ -57,17 +57,17 @@ fn compiled() -> Option<PathBuf> {
     Some(library)
 }
 
-/// What the bits do that are set for one of the threads.
+/// Returns the effect of bits that are set for one of the threads.
 fn expected(thread: usize) -> Result<(), EnvironmentError> {
     let bits = std::env::var("FLOATS").unwrap();
     let bits = bits.split(' ').nth(thread).unwrap();
     MODES.into_iter().find(|(mode, _)| *mode == bits).unwrap().1
 }
 
-/// Makes something on this thread.
+/// Builds an object on the current thread.
 type Make = fn(&Well) -> Result<(), String>;
 
-/// What a thread has made that is well.
+/// Objects built on a valid thread.
 struct Well {
     mesh: Mesh,
     bvh: Bvh,
@@ -89,13 +89,12 @@ impl Well {
     }
 }
 
-/// Takes the message of an error; that of the environment is handed through by all.
+/// Returns the message of an error. All errors pass that of the environment through.
 fn told<A, E: ToString>(made: Result<A, E>) -> Result<(), String> {
     made.map(drop).map_err(|error| error.to_string())
 }
 
-/// What makes something out of numbers, and refuses to do that on a thread that is unfit: constructors by the file that
-/// they are in, then methods.
+/// Functions that build objects from numbers, and must fail on an invalid thread: constructors by file, then methods.
 const CHECKED: [(&str, Make); 24] = [
     ("bvh/build/mod.rs: median", |well| told(Bvh::median(&well.mesh, 2))),
     ("bvh/build/mod.rs: sah", |well| told(Bvh::sah(&well.mesh, SahOptions::default()))),
@@ -127,12 +126,12 @@ const CHECKED: [(&str, Make); 24] = [
     ("Tracer::closest_parallel", |well| told(Tracer::new(&well.wide).closest_parallel(&[]))),
 ];
 
-/// That two points are the same one is found after the thread was.
+/// The error of equal points is detected after that of the thread.
 fn of_same_point(error: RayError) -> Result<ExactRay, RayError> {
     if error == RayError::ZeroDirection { Ok(ExactRay::from(&Ray::new(Vec3::ZERO, Vec3::X)?)) } else { Err(error) }
 }
 
-/// Other constructors, and why they need no check of their own.
+/// Constructors without a check, and the reasons.
 const UNCHECKED: &[(&str, &[&str])] = &[
     (
         "prepares what it is given for queries: a ray or a ball, or a hierarchy or a mesh, all of which are checked",
@@ -200,7 +199,7 @@ const UNCHECKED: &[(&str, &[&str])] = &[
     ),
 ];
 
-/// A new constructor is either checked, and then asked by `entrances_refuse`, or it is said why not. `[ENV-1]`
+/// Every new constructor is either checked and tested by `entrances_refuse`, or listed with a reason. `[ENV-1]`
 #[test]
 fn all_constructors_are_known() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src");
@@ -215,7 +214,7 @@ fn all_constructors_are_known() {
     assert!(known.is_subset(&found), "not there: {:?}", known.difference(&found));
 }
 
-/// The public functions in a folder that take no `self`, and give one.
+/// Collects the public functions in a folder that take no `self` and return one.
 fn collect(folder: &Path, source: &Path, found: &mut BTreeSet<String>) {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -240,13 +239,13 @@ fn collect(folder: &Path, source: &Path, found: &mut BTreeSet<String>) {
     }
 }
 
-/// All that this thread makes for itself.
+/// Checks the objects that the current thread builds.
 #[test]
 #[ignore = "`unfit_threads_are_refused` runs it with bits set"]
 fn entrances_refuse() {
     let expected = expected(0);
     assert_eq!(check_environment(), expected);
-    // Made by another thread, which is well.
+    // Built by another, valid thread.
     let well = std::thread::scope(|scope| scope.spawn(Well::new).join().unwrap());
     let expected = expected.map_err(|error| error.to_string());
     for (name, make) in CHECKED {
@@ -254,7 +253,7 @@ fn entrances_refuse() {
     }
 }
 
-/// All that other threads help with, where they are the unfit ones.
+/// Checks the work that other threads do, if those are invalid.
 #[test]
 #[ignore = "`unfit_threads_are_refused` runs it with bits set"]
 fn helpers_refuse() {

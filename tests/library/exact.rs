@@ -1,4 +1,4 @@
-//! The exact level: the answers of rational arithmetic, the same for every tree, order and traversal.
+//! The exact level: the answers equal rational arithmetic for every tree, order and traversal.
 
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -19,7 +19,7 @@ fn no_touched_box_is_skipped() {
     let [plain, two_sided, directed] = tally.skipped;
     assert!(tally.rays > 200_000 && tally.touched > tally.rays / 4, "{tally:?}");
     assert_eq!(directed, 0, "{tally:?}");
-    // The plain form leaks; the two-sided one only where its preconditions fail.
+    // The plain form skips touched boxes; the two-sided form only outside its preconditions.
     assert!(plain > 1000 && two_sided < plain, "{tally:?}");
 }
 
@@ -49,26 +49,26 @@ fn bits(hit: Option<Hit>) -> Option<[u32; 4]> {
     hit.map(|Hit { prim, t, u, v }| [prim, t.to_bits(), u.to_bits(), v.to_bits()])
 }
 
-/// All answers of one tree, in three orders.
+/// Returns all answers of one tree, in three orders.
 fn answers(bvh: &Bvh, ray: &Ray) -> [Option<[u32; 4]>; 3] {
     let boxes = bvh.own_boxes();
     let mut nearer_first = Closest::new(bvh, ray);
     oracle::traverse(bvh, &mut nearer_first, &mut ());
     let mut left_first = ByNode { test: ClosestByNode::new(bvh, &boxes, ray), order: LeftOrder };
     oracle::traverse(bvh, &mut left_first, &mut ());
-    // Against the ray: the farther child first.
+    // The farther child first.
     let order = SignOrder { axes: bvh.axes(), octant: !ray.octant() & 7 };
     let mut farther_first = ByNode { test: ClosestByNode::new(bvh, &boxes, ray), order };
     oracle::traverse(bvh, &mut farther_first, &mut ());
     [nearer_first.hit(), left_first.test.hit(), farther_first.test.hit()].map(bits)
 }
 
-/// Builders x leaf sizes x orders, bit for bit, and the truth. (Traversals and threads: `stackless check`.) `[DET-1]`
-/// [CONF-2]
+/// All builders, leaf sizes and orders agree bit for bit, and with the exact answers. (For traversals and threads:
+/// `stackless check`.) `[DET-1]` [CONF-2]
 #[test]
 fn the_answer_does_not_depend_on_tree_and_order() {
     let sphere = stress::icosphere(3, 1.0, Vec3::splat(1000.0)).expect("a mesh");
-    // Everything twice, in other places of the list: ties.
+    // Every triangle twice, at different indices: ties.
     let soup = procedural::soup(7, 300);
     let doubled = soup.triangles().iter().rev().chain(soup.triangles()).copied().collect();
     let doubled = Mesh::new(soup.vertices().to_vec(), doubled).expect("a mesh");
@@ -91,7 +91,7 @@ fn the_answer_does_not_depend_on_tree_and_order() {
     }
 }
 
-/// A hierarchy cannot be damaged through the public interface, but it can be that of another mesh.
+/// A hierarchy cannot be damaged through the public interface, but it can belong to another mesh.
 #[test]
 fn a_hierarchy_that_does_not_hold_the_mesh() {
     let mesh = procedural::soup(3, 400);

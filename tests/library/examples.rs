@@ -1,6 +1,6 @@
-//! The worked examples of the specification: blocks that begin with `as-run NAME`, run again and compared.
+//! The worked examples of the specification: blocks that begin with `as-run NAME` are computed again and compared.
 //!
-//! `UPDATE=1 cargo test --test library examples` writes them anew.
+//! `UPDATE=1 cargo test --test library examples` rewrites them.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -20,7 +20,7 @@ use stackless_bvh::{swap, trail};
 
 type Example = (&'static str, fn() -> String);
 
-/// What each example prints.
+/// The output of each example.
 const EXAMPLES: [Example; 8] = [
     ("backtrack", backtrack),
     ("swap", swaps),
@@ -48,7 +48,7 @@ fn swaps() -> String {
     [(0b10, 0b110), (0b1111_1111, 0b1010_1010)].map(line).concat()
 }
 
-/// Wants everything, left first.
+/// Wants all children, left first.
 struct All(usize);
 
 impl Visitor for All {
@@ -82,12 +82,12 @@ fn depth() -> String {
     [line::<u32>(&[31, 32]), line::<u64>(&[63, 64]), line::<u128>(&[127, 128]), line::<Grow>(&[1000])].concat()
 }
 
-/// The nodes with these keys are inner ones, each with what its visit decides.
+/// The inner nodes with these keys, each with the decision of its visit.
 struct Script {
     tree: Tree,
     decisions: Vec<(u64, Descent)>,
     keys: Keys,
-    /// Keys of leaves at which something is found.
+    /// Keys of leaves with a hit.
     found: Vec<u64>,
 }
 
@@ -132,7 +132,7 @@ impl Pruned for &Script {
     }
 }
 
-/// One line a visit: the node's key, and the words that the traversal has.
+/// One line per visit: the node's key, and the words of the state.
 struct Lines<'a> {
     script: &'a Script,
     text: String,

@@ -5,7 +5,7 @@ use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::tree::{Topology, Tree};
 use stackless_check::{AllCases, Battery, Case, Verdict};
 
-/// Sign order is the tape's own order under this octant.
+/// In this octant the order by sign equals the tape's.
 const OCTANT: u8 = 2;
 
 fn check(case: &Case, count: &mut u64) {

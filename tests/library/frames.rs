@@ -1,4 +1,4 @@
-//! Meshes in double precision, wherever they are and however large: boxes are in a frame of their own. [FRAME-1]
+//! Meshes in double precision, at any place and of any size: boxes are in a separate frame. [FRAME-1]
 
 use std::thread;
 
@@ -14,7 +14,7 @@ use stackless_bvh::traverse::Method;
 
 type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Slabs64>;
 
-/// A scale, and a shift in parts of it: where single precision is too coarse or too narrow, and where it is not.
+/// Scales, and shifts relative to them: where single precision is too coarse or too narrow, and where it suffices.
 const PLACES: [(f64, f64); 9] = [
     (1.0, 0.0),
     (1.0, 6.4e6),
@@ -27,7 +27,7 @@ const PLACES: [(f64, f64); 9] = [
     (1.0, 1e14),
 ];
 
-/// A mesh moved and scaled, and rays at it: as they were in single precision, with each coordinate rounded.
+/// Returns a translated and scaled mesh with its rays: those of single precision, with each coordinate rounded.
 fn placed(mesh: &Mesh, rays: &[Ray], (scale, shift): (f64, f64)) -> (Mesh<DVec3>, Vec<Ray<DVec3>>) {
     let space = |v: DVec3| (v + DVec3::new(shift, -0.7 * shift, 0.3 * shift)) * scale;
     let vertices = mesh.vertices().iter().map(|v| space(v.as_dvec3())).collect();
@@ -37,14 +37,14 @@ fn placed(mesh: &Mesh, rays: &[Ray], (scale, shift): (f64, f64)) -> (Mesh<DVec3>
         Ray::within(space(ray.origin().as_dvec3()), ray.direction().as_dvec3() * scale, tmin, tmax).expect("a ray")
     };
     let rays = rays.iter().map(ray);
-    // At the corners of triangles, from where they are seen from afar.
+    // At the corners of triangles, from far away.
     let from = space(DVec3::new(0.31, 0.47, 900.0));
     let aimed = (0..40).map(|i| mesh.vertices()[i * 7 % mesh.vertices().len()] - from);
     let aimed = aimed.filter_map(|d| Ray::new(from, d).ok()).collect::<Vec<_>>();
     (mesh, rays.chain(aimed).collect())
 }
 
-/// All queries against rational arithmetic, over trees of all kinds, in their first frame and in one of a refit.
+/// All queries agree with rational arithmetic, over trees of all kinds, in their first frame and in that of a refit.
 #[test]
 fn answers_are_the_truth_wherever_a_mesh_is() {
     let meshes =
@@ -117,7 +117,7 @@ fn answers_are_the_truth_wherever_a_mesh_is() {
     });
 }
 
-/// Triangles in parts: spatial splits cut them in the frame. [SPLIT-1]
+/// Spatial splits cut triangles in the frame. [SPLIT-1]
 #[test]
 fn triangles_are_cut_in_every_frame() {
     let corners = (0..20).flat_map(|i| {
@@ -140,14 +140,14 @@ fn triangles_are_cut_in_every_frame() {
     }
 }
 
-/// Vertices of another mesh under the triangles of this one, none of them degenerate.
+/// Returns vertices of another mesh with the triangles of this one, none of them degenerate.
 fn elsewhere_of(vertices: &Mesh<DVec3>, mesh: &Mesh<DVec3>) -> Mesh<DVec3> {
     let count = mesh.vertices().len();
     let vertices = vertices.vertices().iter().copied().cycle().take(count).collect();
     Mesh::new(vertices, mesh.triangles().to_vec()).expect("finite")
 }
 
-/// What a frame is for: boxes are as small beside their triangles as at the origin, and so as few are met in vain.
+/// The purpose of a frame: boxes are as tight as at the origin, so no more are entered in vain.
 #[test]
 fn a_mesh_far_away_costs_what_it_costs_at_the_origin() {
     let mesh = stress::icosphere(4, 1.0, Vec3::ZERO).expect("a mesh");
@@ -168,7 +168,7 @@ fn a_mesh_far_away_costs_what_it_costs_at_the_origin() {
     }
 }
 
-/// Directions with components that are all but 0 beside the others.
+/// Directions with almost vanishing components.
 #[test]
 fn components_next_to_nothing() {
     let mesh = stress::icosphere(2, 1.0, Vec3::ZERO).expect("a mesh");

@@ -1,4 +1,4 @@
-//! The perfect hash: every table is certified, found to be the same by one thread and by many, and asked for every key.
+//! The perfect hash: every table is certified, built equally by one thread and by many, and queried for every key.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -10,7 +10,7 @@ use stackless_bvh::traverse::{ByKey, Hashed, Test, traverse};
 use stackless_bvh::tree::{Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_check::{Battery, Case, CaseOptions, Verdict, check_table};
 
-/// All that there are. Tables are built for the first four.
+/// All reaches. Tables are built for the first four.
 const REACHES: [(u32, u32); 9] = [(1, 1), (1, 2), (2, 2), (2, 3), (1, 3), (2, 1), (3, 1), (3, 2), (3, 3)];
 
 fn reach((inner, leaf): (u32, u32)) -> Reach {
@@ -21,7 +21,7 @@ fn key_sets() -> impl Iterator<Item = KeySet> {
     REACHES.into_iter().take(4).map(reach).map(KeySet::Exact).chain([KeySet::All, KeySet::Paper])
 }
 
-/// Which sides a comb grows to, from the root down.
+/// Returns a comb. `right` is its direction at each level, from the root down.
 fn comb(depth: u32, right: impl Fn(u32) -> bool) -> Tree {
     let inner = |i: u32| if right(i) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
     let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
@@ -116,7 +116,7 @@ fn random_trees_with_keys_of_up_to_63_bits() {
     println!("tables of 3,000 that need a seed, by sizing: {remedied:?}");
 }
 
-/// Depths at which a comb has two keys that no displacement separates.
+/// Returns the depths at which a comb has two keys that no displacement separates.
 fn depths_that_fail(options: Options, right: impl Fn(u32) -> bool + Copy) -> Vec<u32> {
     let fails = |&depth: &u32| {
         let plain = PerfectHash::build_plain(&comb(depth, right), options);
@@ -159,7 +159,7 @@ fn the_printed_function_fails_on_combs_and_the_seed_is_the_remedy() {
         assert!(hash.header().mix.seed.is_some());
         println!("comb of depth {depth}, {sizing}: {error}; {} seeds tried", hash.header().reseeds);
     }
-    // The first of them by hand: N = 63, D = 16, H = 127; the teeth 2^4 + 1 and 2^11 + 1 are both 1 modulo 16, 17
+    // The first of them in detail: N = 63, D = 16, H = 127. The teeth 2^4 + 1 and 2^11 + 1 are both 1 modulo 16, and 17
     // modulo 127.
     let error =
         PerfectHash::build_plain(&comb(31, |_| false), Options { key_set: KeySet::All, sizing: Sizing::Printed });
@@ -170,7 +170,7 @@ fn the_printed_function_fails_on_combs_and_the_seed_is_the_remedy() {
     assert_eq!(cells.get(), 127);
 }
 
-/// Which nodes a search looks up: answers from a walk, and remembers.
+/// Records the lookups of a search, and answers them by a walk.
 struct Asked<'a> {
     tree: &'a Tree,
     slots: RefCell<&'a mut [bool]>,
@@ -190,8 +190,8 @@ fn ask<const INNER: u32, const LEAF: u32>(tree: &Tree, tape: &Tape, slots: &mut 
     traverse(cursor.unwrap(), &mut Search::new(tree, tape, false), &mut ());
 }
 
-/// Every tree of up to 7 leaves under every script of decisions: the nodes that some search looks up are those of the
-/// exact set. So a key too few would be missed by a search, and a key too many would show here. [HASH-3]
+/// Every tree of up to 7 leaves under every script of decisions. The nodes looked up by some search are exactly those
+/// of the set. A missing key would fail a search, and a superfluous key would be detected here. [HASH-3]
 #[test]
 fn the_exact_sets_are_what_is_looked_up_and_nothing_else() {
     type Asked = [Vec<bool>; REACHES.len()];
@@ -225,7 +225,7 @@ fn the_exact_sets_are_what_is_looked_up_and_nothing_else() {
                 tree.to_children()
             );
         }
-        // The printed rule is exact for (1, 2) and (2, 2), has keys missing for (1, 1) and too many for (2, 3).
+        // The printed rule is exact for (1, 2) and (2, 2), lacks keys for (1, 1), and has too many for (2, 3).
         let paper = KeySet::Paper.slots(tree);
         assert_eq!((&paper, &paper), (&asked[1], &asked[2]));
         unsound += paper.iter().zip(&asked[0]).filter(|&(&printed, &asked)| asked && !printed).count();
@@ -240,7 +240,7 @@ fn the_exact_sets_are_what_is_looked_up_and_nothing_else() {
     );
 }
 
-/// Lookups and misses of a case, by a table for a set of keys.
+/// Returns lookups and misses of a case, with a table for a set of keys.
 fn misses<W: KeyWord, const INNER: u32, const LEAF: u32>(case: &Case, key_set: KeySet) -> (usize, usize) {
     let (tree, keys) = (&case.tree, Keys::of(&case.tree));
     let sizing = Sizing::ALL[case.octant as usize % 3];
@@ -283,7 +283,7 @@ fn searches_follow_the_oracle_by_the_tables_and_miss_nothing() {
         }
         nodes += case.size();
 
-        // Without register and uncles, and so with all keys.
+        // Without register and uncles, so all keys are needed.
         let hash = PerfectHash::build(&case.tree, Options { key_set: KeySet::All, sizing: Sizing::Tight }).unwrap();
         let verdict = Battery::new(&case, &[]).judge(Test::Children, false, |search, watch, _, _| {
             traverse(ByKey::<u64, _>::new(&case.tree, &hash)?, search, watch);

@@ -1,4 +1,5 @@
-//! Instances against an oracle that moves every triangle in rational arithmetic. `[INST-1]` to `[INST-6]`
+//! Comparison of instances with an oracle that transforms every triangle in rational arithmetic. `[INST-1]` to
+//! `[INST-6]`
 
 mod afar;
 pub(crate) mod scenes;
@@ -28,7 +29,7 @@ fn hierarchies<V: Precision>(scene: &Scene<V>, builder: Builder, max_leaf: u32) 
     Hierarchies::new(&scene.shapes, options(builder, max_leaf), None).expect("trees")
 }
 
-/// With wide meshes.
+/// Returns hierarchies with wide meshes.
 fn wide<V: Precision>(scene: &Scene<V>, builder: Builder, max_leaf: u32) -> Hierarchies<V> {
     let wide = WideOptions { max_leaf, ..WideOptions::default() };
     Hierarchies::new(&scene.shapes, options(builder, max_leaf), Some(&wide)).expect("trees")
@@ -46,7 +47,7 @@ fn rays<V: Precision>(flat: &InstanceOracle<V>, rng: &mut Rng, n: usize) -> Vec<
     let (lo, hi) = all.fold((DVec3::MAX, DVec3::MIN), |(lo, hi), corner| (lo.min(*corner), hi.max(*corner)));
     let size = (hi - lo).max_element();
     let mut rays = Vec::new();
-    // Where all corners are one point, some of these are no rays.
+    // If all corners are equal, a part of the rays is invalid.
     for _ in 0..4 * n {
         if rays.len() == n {
             break;
@@ -78,7 +79,7 @@ fn rays<V: Precision>(flat: &InstanceOracle<V>, rng: &mut Rng, n: usize) -> Vec<
     rays
 }
 
-/// The same ray, ending and beginning at a hit: where rounding must not decide.
+/// Returns the ray with an end or its begin at a hit, where rounding must not decide.
 fn cut<V: Precision>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<Item = Ray<V>> + use<V> {
     let (t, zero, infinity) = (hit.t, V::Real::ZERO, V::Real::INFINITY);
     let ends = [(zero, t), (t, infinity), (zero, t.next_down()), (t.next_up(), infinity)];
@@ -86,7 +87,7 @@ fn cut<V: Precision>(ray: &Ray<V>, hit: &InstanceHit<V::Real>) -> impl Iterator<
     ends.into_iter().filter_map(move |(tmin, tmax)| Ray::within(ray.origin(), ray.direction(), tmin, tmax).ok())
 }
 
-/// Every scene by every traversal, alone and with another one inside, over four kinds of trees; and with wide meshes.
+/// Every scene by every traversal, alone and nested in another one, over four kinds of trees, and with wide meshes.
 fn answers_are_those_of_rational_arithmetic<V: Kind>() {
     let (mut hits, mut several, mut asked, mut deep, mut tracers) = (0, 0, 0, 0, 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
@@ -108,7 +109,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
                 for (groups, meshes) in [(method, method), (method, other)] {
                     let tracer = match InstanceTracer::with_methods(&assembly, root, groups, meshes) {
                         Ok(tracer) => tracer,
-                        // `complete` on other trees, and traversals that want searches of another kind.
+                        // `complete` on other trees, and traversals that need searches of another kind.
                         Err(InstanceError::Unsupported { .. }) => continue,
                         Err(error) => panic!("{error}"),
                     };
@@ -132,7 +133,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
             }
         }
     }
-    // Of 21 traversals in pairs and alone, over four kinds of trees, `complete` takes part over one.
+    // All 21 traversals run alone and in pairs, over four kinds of trees. `complete` supports one kind.
     assert!(tracers >= 36 * (42 + 3 * 39), "{tracers}");
     assert!(asked > 1500 && hits > asked / 2 && deep > 50, "{hits} of {asked}, {deep}");
     assert!(several > asked / 10, "{several} of {asked}");
@@ -148,7 +149,7 @@ fn answers_are_those_of_rational_arithmetic_in_double() {
     answers_are_those_of_rational_arithmetic::<DVec3>();
 }
 
-/// More rays, by one traversal, and with wide meshes.
+/// More rays, with one traversal, and with wide meshes.
 fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
     let (mut counts, mut asked) = ([0; 4], 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
@@ -191,15 +192,15 @@ fn many_rays_are_answered_by_rational_arithmetic_in_double() {
     many_rays_are_answered_by_rational_arithmetic::<DVec3>();
 }
 
-/// Hard meshes of some hundred triangles, in groups of groups: over wide trees of several levels, the answers are those
-/// of binary ones, and so are those of paths that begin at hits. `[INST-6]` `[SECOND-2]`
+/// Difficult meshes of a few hundred triangles, in groups of groups. Over wide trees of several levels, the answers
+/// equal those of binary ones, also for paths that begin at hits. `[INST-6]` `[SECOND-2]`
 #[test]
 fn wide_meshes_are_answered_as_binary_ones() {
     let (mut rng, mut hits, mut deepest, mut duplicates) = (Rng::new(3), [0; 2], 0, 0);
     for (i, case) in stress::cases(30).enumerate() {
         let size = case.mesh.vertices().iter().fold(0.0, |size, v| v.abs().max_element().max(size));
         if size > 1e36 {
-            // Images may be beyond the range.
+            // Images may be out of range.
             continue;
         }
         let builder = [Builder::Spatial, Builder::Standard, Builder::Median][i % 3];
@@ -221,7 +222,7 @@ fn wide_meshes_are_answered_as_binary_ones() {
         };
         let (binary, wide) = (scene(false), scene(true).with_wide(wide::Method::ALL[i % 9]).expect("any tree"));
         for ray in &case.rays {
-            // The same ray as the instances have it, so that hard cases stay hard there.
+            // The ray in the space of the instances, where difficult cases stay difficult.
             let [origin, target] = [ray.origin(), ray.origin() + ray.direction()].map(|v| image(&maps[4], v));
             let Ok(ray) = Ray::within(origin, target - origin, ray.tmin(), ray.tmax()) else { continue };
             let mut ray = ExactRay::from(&ray);
@@ -246,12 +247,12 @@ fn wide_meshes_are_answered_as_binary_ones() {
     );
 }
 
-/// Rounded.
+/// Returns the rounded image.
 fn image(map: &AffineMap, v: Vec3) -> Vec3 {
     Vec3::from(map.rows().map(|[x, y, z, w]| x * v.x + y * v.y + z * v.z + w))
 }
 
-/// What is found in an instance ends the search in those behind it, and within them.
+/// A hit in an instance ends the search in instances behind it, and in their nodes.
 #[test]
 fn what_is_behind_a_hit_is_not_entered() {
     let bvh = Bvh::sah(&stress::icosphere(3, 1.0, Vec3::ZERO).expect("a mesh"), SahOptions::default()).expect("a tree");
@@ -276,7 +277,7 @@ fn what_is_behind_a_hit_in_it_is_not_entered(assembly: &mut Assembly, object: Ob
     assert!(closest.triangles < 10 && any.triangles < 10, "{closest:?}, {any:?}");
 }
 
-/// A triangle, as small as a scene can be.
+/// Returns a triangle, the smallest scene.
 fn triangle() -> Bvh {
     let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]).expect("a mesh");
     Bvh::median(&mesh, 1).expect("a tree")
@@ -355,9 +356,9 @@ fn wide_meshes_have_the_state_of_their_traversal() {
     }
 }
 
-/// What bounds do not tell, exact sums do where maps leave the ray exact, and twice the digits where they hold images
-/// exactly or the ray passes beside the corners. Rationals are for an edge that is met in an image which is no triangle
-/// of doubles.
+/// Exact sums decide cases that bounds leave open if maps keep the ray exact. Double-double arithmetic decides them if
+/// maps enclose images exactly or the ray passes next to the corners. Rationals are for a hit edge of an image that is
+/// no triangle of doubles.
 #[test]
 fn rationals_are_for_what_is_met_and_not_known() {
     let turn = [[0.0, -1.0, 0.0, 1.0], [1.0, 0.0, 0.0, -2.0], [0.0, 0.0, 1.0, 0.5]];

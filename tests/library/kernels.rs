@@ -1,4 +1,4 @@
-//! What every triangle test does.
+//! Properties of every triangle test.
 
 use glam::Vec3;
 use proptest::prelude::*;

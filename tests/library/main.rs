@@ -1,4 +1,4 @@
-//! What the library promises, tested from outside.
+//! External tests of the library's guarantees.
 
 mod bounds;
 mod curve;

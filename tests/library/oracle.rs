@@ -1,4 +1,4 @@
-//! What the oracle leaves out: no node that begins where the search ends.
+//! The oracle omits no node that begins where the search ends.
 
 use stackless_bvh::event::Trace;
 use stackless_bvh::oracle;
@@ -6,7 +6,7 @@ use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
 use stackless_bvh::traverse::{PruningStack, traverse_pruned};
 use stackless_bvh::tree::{Node, Topology, Tree};
 
-/// Its postponed child begins at one distance, and it ends at another.
+/// Its postponed child begins at one distance, and the search ends at another.
 struct Ends {
     begins: u32,
     end: u32,

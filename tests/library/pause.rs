@@ -1,4 +1,4 @@
-//! Traversals put aside at every step and taken up again in every way; states that are no states of the tree.
+//! Traversals paused at every step and resumed by every method, and invalid states.
 
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::event::{Recorder, State};
@@ -20,7 +20,7 @@ fn methods() -> impl Iterator<Item = Method> {
     Method::ALL.into_iter().filter(|method| method.can_pause())
 }
 
-/// Number of resumes, in all words that are wide enough.
+/// Returns the number of resumed traversals, in all words that are wide enough.
 fn check(case: &Case) -> usize {
     let pauses = Pauses::new(case);
     let checked = |result: Result<usize, _>| match result {
@@ -82,7 +82,7 @@ fn other_states_are_refused() {
         assert_eq!(states.from_bytes(&bytes).as_ref(), Ok(paused));
         assert_eq!(others.from_bytes::<u32>(&bytes), Err(StateError::Tree));
         assert!(matches!(states.from_bytes::<u64>(&bytes), Err(StateError::WordBytes { expected: 8, found: 4 })));
-        // Every bit, every end.
+        // Every bit, every length.
         for i in 0..8 * bytes.len() {
             let mut damaged = bytes.clone();
             damaged[i / 8] ^= 1 << (i % 8);
@@ -118,7 +118,7 @@ fn states_that_are_made_up_are_followed_only_where_a_traversal_could_be() {
             disjoint: rng.coin().then(|| rng.below(8) as u32),
             next: if rng.coin() { Next::Visit } else { Next::Backtrack },
         };
-        // As bytes with a right checksum.
+        // As bytes with a valid checksum.
         let Ok(paused) = states.from_bytes::<u32>(&states.to_bytes(&paused)) else {
             refused += 1;
             continue;
@@ -152,7 +152,7 @@ fn what_is_missing_is_named() {
     assert_eq!(uncle.take_up(paused.clone()), Err(Incomplete::Register));
     let with_key = Paused { key: Some(2), ..paused.clone() };
     assert_eq!(hashed.take_up(with_key.clone()), Err(Incomplete::Register));
-    // A state that is refused changes nothing.
+    // A rejected state changes nothing.
     assert_eq!((hashed.node(), hashed.state().key), (tree.root(), Some(1)));
     assert_eq!(hashed.take_up(Paused { register: Some(right), ..with_key }), Ok(()));
     assert_eq!(sparse.take_up(paused), Ok(()));
@@ -164,7 +164,7 @@ fn what_is_missing_is_named() {
     assert_eq!(kept(1, 1_u32).locate(&walk), Err(NoSuchKey));
     assert_eq!(kept(1 << 20, 0_u32).locate(&walk), Err(NoSuchKey));
     assert!(kept(2, 1_u32).locate(&walk).is_ok());
-    // A bit above the root, hidden by a lower one: the node that comes next is there.
+    // A bit above the root, hidden by a lower one: the next node exists.
     assert_eq!(kept(2, 0b11_u32).locate(&walk), Err(NoSuchKey));
     assert_eq!(KeyTrail { disjoint: Some(0b11), ..kept(2, 1_u32) }.locate(&walk), Err(NoSuchKey));
     let states = States::of(tree);
@@ -191,7 +191,7 @@ fn another_thread_goes_on() {
     traverse(Afra::<u64, _>::new(&parents).expect("not deep"), &mut whole, &mut ());
     let mut cursor = Afra::<u64, _>::new(&parents).expect("not deep");
     let mut search = Search::new(&case.tree, &case.tape, false);
-    // One visit a thread.
+    // One visit per thread.
     let mut next = Next::Visit;
     let visits = (1..1000).find(|_| {
         let paused = cursor.put_aside(next);
@@ -220,7 +220,7 @@ fn another_thread_goes_on() {
     assert_eq!(search.outcome, whole.outcome);
 }
 
-/// Goes on with shorter rays from every visit, and hit by hit from every leaf.
+/// Resumes with shorter rays from every visit, and hit by hit from every leaf.
 #[test]
 fn rays_are_put_aside() {
     let mesh = procedural::soup(5, 90);
@@ -239,7 +239,7 @@ fn rays_are_put_aside() {
                 let (mut before, mut search) = (cursor(), Closest::new(&bvh, &ray));
                 let Some(next) = traverse(&mut before, &mut search, &mut Steps(usize::MAX - visits)) else { break };
                 let kept = before.put_aside(next).key_trail().expect("a key");
-                // What was found so far counts if the shorter ray reaches it.
+                // An earlier hit counts if the shorter ray reaches it.
                 let so_far = search.found().map(|(prim, t)| (t, prim)).filter(|&(t, _)| t <= shorter.tmax());
                 let mut search = Closest::new(&bvh, &shorter);
                 let paused = kept.locate(&ByTable(&hash)).expect("a node of this tree");
@@ -256,7 +256,7 @@ fn rays_are_put_aside() {
         let mut next = traverse(&mut cursor, &mut search, &mut ());
         while next == Some(Next::Backtrack) {
             walked += 1;
-            // As if from elsewhere.
+            // As if from another program.
             let kept = cursor.put_aside(Next::Backtrack).key_trail().expect("a key");
             let paused = kept.locate(&ByWalk(&bvh)).expect("a node of this tree");
             cursor = Hashed::new(&bvh, &hash).expect("not deep");
@@ -271,7 +271,7 @@ fn rays_are_put_aside() {
     assert!(shortened > 2000 && walked > 20, "{shortened} {walked}");
 }
 
-/// All hits, and a stop at each leaf that has some.
+/// Collects all hits, and stops at each leaf with hits.
 struct LeafByLeaf<'a> {
     bvh: &'a Bvh,
     ray: Ray,
@@ -292,7 +292,7 @@ impl Visitor for LeafByLeaf<'_> {
     }
 }
 
-/// Counts visits, and stops at the end of the numbers.
+/// Counts visits, and stops at the maximum.
 struct Steps(usize);
 
 impl Recorder for Steps {
@@ -305,7 +305,7 @@ impl Recorder for Steps {
     }
 }
 
-/// Every state before a visit of `hashed` with its second trail.
+/// Calls `f` with every state before a visit of `hashed` with its second trail.
 fn for_each_state(case: &Case, mut f: impl FnMut(&Paused<u32>)) {
     let (uncles, map) = (Linked::uncles(&case.tree), KeyMap::of(&case.tree));
     let mut search = Search::new(&case.tree, &case.tape, false);

@@ -1,4 +1,4 @@
-//! Random trees and tapes from bytes, shrunk by proptest and then by structure; and the depths at which words end.
+//! Random trees and tapes from bytes, shrunk by proptest and then by structure, and the depth limits of words.
 
 use arbitrary::Unstructured;
 use proptest::prelude::*;
@@ -82,7 +82,7 @@ fn words_end_at_their_depths_and_no_sooner() {
 fn a_comb_of_depth_100_000() {
     let mut rng = Rng::new(9);
     let case = comb(100_000, &mut rng, |method| !method.restarts());
-    // A ray that gets shorter, through the traversals that are made for such depths.
+    // A ray that gets shorter, with the traversals designed for such depths.
     let case = Case { any: false, ..Case::with_tree(case.tree, Kind::Shrinking, &mut rng) };
     let methods = [Method::Stack, Method::Sparse, Method::Afra, Method::Uncle, Method::Hashed];
     let mut battery = Battery::new(&case, &methods);
@@ -92,13 +92,13 @@ fn a_comb_of_depth_100_000() {
     }
 }
 
-/// Each restart walks down again, which takes time by the square of the depth. [DEPTH-3]
+/// Each restart walks down from the root, so the time is quadratic in the depth. [DEPTH-3]
 #[test]
 fn restarts_in_a_comb_of_depth_3_000() {
     comb(3_000, &mut Rng::new(9), Method::restarts);
 }
 
-/// Follows all of a comb by these methods, in every word that carries it.
+/// Traverses a whole comb with these methods, in every word that supports it.
 fn comb(depth: u32, rng: &mut Rng, of: impl Fn(Method) -> bool) -> Case {
     let methods: Vec<_> = Method::ALL.into_iter().filter(|&method| of(method)).collect();
     let plan = Plan { methods, ..everything(0) };

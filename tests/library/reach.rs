@@ -30,7 +30,7 @@ impl<const INNER: u32, const LEAF: u32> Topology for Printed<'_, INNER, LEAF> {
     }
 }
 
-/// Finds any key, and keeps what it was asked for.
+/// Finds any key, and records the lookups.
 struct Asked<'a> {
     tree: &'a Tree,
     nodes: RefCell<Vec<Node>>,
@@ -95,7 +95,7 @@ fn all_trees_of_up_to_6_leaves_at_all_reaches() {
         climbs::<3, 2>(&tree, &tape, &expected);
         climbs::<3, 3>(&tree, &tape, &expected);
     }
-    // The further records reach, the less is asked.
+    // Records of greater reach need fewer lookups.
     assert!(
         lookups.iter().all(|&asked| asked > 0) && lookups[0] > lookups[4] && lookups[4] > lookups[8],
         "{lookups:?}"

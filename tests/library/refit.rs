@@ -1,4 +1,4 @@
-//! Hierarchies whose triangles have moved.
+//! Hierarchies of moved triangles.
 
 use glam::Vec3;
 
@@ -7,7 +7,7 @@ use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Aabb, Mesh, Region};
 use stackless_check::check_trees;
 
-/// The same triangles, bent and stretched.
+/// Returns the mesh bent and stretched.
 fn deformed(mesh: &Mesh) -> Mesh {
     let bent = |v: &Vec3| Vec3::new(v.x + v.y * v.y, 3.0 * v.y - v.z * v.x, v.z + 0.5 * v.x);
     Mesh::new(mesh.vertices().iter().map(bent).collect(), mesh.triangles().to_vec()).expect("a mesh")
@@ -67,7 +67,7 @@ fn what_does_not_fit_is_refused_and_changes_nothing() {
     assert_eq!(refusal(&flat), None);
 }
 
-/// A box, or nothing.
+/// A primitive that is a box.
 #[derive(Clone, Copy, Debug)]
 struct Block(Aabb);
 

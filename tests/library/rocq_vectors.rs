@@ -1,6 +1,5 @@
-//! The models of spec/rocq and the library see the same: small cases with the visits and the states of the library's
-//! traversals, written as Rocq examples, which `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written
-//! anew.
+//! Compares the models of spec/rocq with the library: small cases with the visits and states of the library's
+//! traversals, written as Rocq examples, which `spec/rocq/check.sh` evaluates. `UPDATE=1` rewrites the file.
 
 use std::fmt::Write;
 use std::fs;
@@ -74,7 +73,7 @@ impl NodeTest for Scribe<'_> {
     }
 }
 
-/// What is written down of a visit: the node's key by its place in the tree, and what the traversal's state says.
+/// A recorded visit: the node's key by its place in the tree, and the traversal's state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Visit {
     key: u64,
@@ -114,7 +113,7 @@ impl Case {
         Self { keys: Keys::of(&tree), any: rng.coin(), tree, tape }
     }
 
-    /// What a run decides and visits.
+    /// Records the decisions and visits of a run.
     fn record(&self, run: impl FnOnce(&mut Scribe<'_>, &mut Visits<'_>)) -> (Scribe<'_>, Vec<Visit>) {
         let mut visits = Visits { tree: &self.tree, keys: &self.keys, all: Vec::new() };
         let mut scribe = Scribe::new(self);
@@ -158,7 +157,7 @@ fn optional_key(key: Option<u64>) -> String {
     key.map_or("None".to_owned(), |key| format!("(Some {key}%positive)"))
 }
 
-/// The oracle's case, where the traversals agree with it, and Algorithm 1's.
+/// Writes the oracle's case, with which the traversals agree, and that of Algorithm 1.
 fn write(text: &mut String, index: u32, case: &Case) -> std::fmt::Result {
     let tables = Tables::new(&case.tree, case.tape.axes(), &METHODS, 8);
     let tree = term(&case.tree, case.tree.root());

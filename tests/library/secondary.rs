@@ -1,4 +1,4 @@
-//! Rays that begin exactly where others have hit, against rational arithmetic that shares nothing with the library's.
+//! Rays that begin exactly at hits of other rays, compared with an independent implementation in rational arithmetic.
 
 use std::array;
 
@@ -18,19 +18,19 @@ use crate::instances::scenes::narrow;
 
 type Rational = [RBig; 3];
 
-/// Distance, rounded, path, triangle, weights, rounded, and distance.
+/// Rounded distance, path, triangle, rounded weights, and exact distance.
 type Hit<'s, R> = (R, &'s [u32], u32, [R; 2], RBig);
 
-/// A scene as it is traced, and its triangles as they are.
+/// A scene with its tracers, and its exact triangles.
 struct Scene<V: Precision> {
-    /// Over a binary tree, over a wide one, and if single precision has the mesh over one of these.
+    /// Over a binary tree, over a wide one, and over one of these in single precision if that represents the mesh.
     tracers: Vec<InstanceTracer<V>>,
-    /// Instance, or none, and triangle, each with its corners.
+    /// Path and index of each triangle, with its corners.
     triangles: Vec<(Vec<u32>, u32, [Rational; 3])>,
 }
 
 impl<V: Precision> Scene<V> {
-    /// A mesh, placed by these maps, or as it is if there are none.
+    /// Builds a scene from a mesh, nested in these transforms if there are any.
     fn new(mesh: &Mesh<V>, maps: &[AffineMap<V::Real>], method: Method) -> Self {
         let mut assembly = Assembly::new();
         let mut objects = vec![assembly.add_mesh(Bvh::build(mesh).unwrap())];
@@ -54,7 +54,8 @@ impl<V: Precision> Scene<V> {
         Self { tracers, triangles }
     }
 
-    /// All hits of a line between two distances, as the ends have it: by exact distance, path and triangle.
+    /// Returns all hits of a line up to a distance, by exact distance, path and triangle. `ends` selects the included
+    /// ends.
     fn hits(&self, [o, d]: &[Rational; 2], tmax: V::Real, ends: Ends) -> Vec<Hit<'_, V::Real>> {
         let tmax = RBig::try_from(tmax.into()).ok();
         let is_within = |t: &RBig| match ends {
@@ -93,7 +94,7 @@ fn cross_product(a: &Rational, b: &Rational) -> Rational {
     array::from_fn(|k| &a[(k + 1) % 3] * &b[(k + 2) % 3] - &a[(k + 2) % 3] * &b[(k + 1) % 3])
 }
 
-/// Distance and weights by way of the plane's normal and the areas around the point.
+/// Returns distance and weights, from the plane's normal and the areas around the point.
 fn cross([a, b, c]: &[Rational; 3], o: &Rational, d: &Rational) -> Option<[RBig; 3]> {
     let normal = cross_product(&minus(b, a), &minus(c, a));
     let speed = dot(&normal, d);
@@ -113,7 +114,8 @@ fn along(o: &Rational, d: &Rational, t: &RBig) -> Rational {
     array::from_fn(|k| &o[k] + t * &d[k])
 }
 
-/// A box of `n` by `n` squares a side, cut in two each, with an inner box: rays meet corners, edges and planes.
+/// Returns a box of `n` by `n` squares per side, of two triangles each, with an inner box. Rays hit corners, edges and
+/// planes.
 fn boxes<V: Precision>(n: i32, scale: f64) -> Mesh<V> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for size in [f64::from(n), f64::from(n) * 0.5] {
@@ -136,7 +138,7 @@ fn boxes<V: Precision>(n: i32, scale: f64) -> Mesh<V> {
     Mesh::new(vertices, triangles).unwrap()
 }
 
-/// Coincident triangles, and triangles that touch others with an edge, a corner, or their inside.
+/// Returns coincident triangles, and triangles that touch other triangles with an edge, a corner, or their interior.
 fn sheets<V: Precision>(rng: &mut Rng) -> Mesh<V> {
     let mut vertices = Vec::new();
     for _ in 0..8 {
@@ -213,7 +215,7 @@ fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
                 assert!(holds(&enclosed.origin, &line[0]) && holds(&enclosed.direction, &line[1]), "{ray:?}");
                 let expected = scene.hits(&line, tmax, ends);
                 at_own_plane += usize::from(expected.iter().any(|(.., t)| *t == RBig::ZERO));
-                // The path goes on by any of the tracers.
+                // Any of the tracers continues the path.
                 let tracer = &scene.tracers[rng.below(scene.tracers.len() as u64) as usize];
                 let found = tracer.closest_and_point(&ray);
                 for tracer in &scene.tracers {
@@ -231,10 +233,10 @@ fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
                     "{ray:?}"
                 );
                 hits += 1;
-                // From there the path goes on.
+                // The path continues from there.
                 place = along(&line[0], &line[1], exact_t);
                 assert!(holds(&point.bounds(), &place), "{point:?}");
-                // Most points stay known by bounds only.
+                // Most points are known only by bounds.
                 if rng.below(4) == 0 {
                     assert_eq!(point.rational().as_ref(), &place);
                 }
@@ -268,7 +270,7 @@ fn holds(bounds: &[Interval; 3], v: &Rational) -> bool {
     })
 }
 
-/// In a closed box no path ever ends, and from its inside nothing outside is seen.
+/// In a closed box no path ends, and from its inside nothing outside is visible.
 fn nothing_leaks<V: Precision>(mesh: &Mesh<V>, most: u32) {
     let scene = Scene::new(mesh, &[], Method::default());
     let (mut rng, mut bounces) = (Rng::new(5), 0);
@@ -277,7 +279,7 @@ fn nothing_leaks<V: Precision>(mesh: &Mesh<V>, most: u32) {
     let normal = |prim: usize| DVec3::AXES[prim / 64 % 3] * [1.0, -1.0][prim / 32 % 2];
     while bounces < most {
         let Some((hit, point)) = scene.tracers[0].closest_and_point(&ray) else { panic!("{bounces}: {ray:?}") };
-        // The inner box is not reached from between them, so its walls send back outwards.
+        // The inner box is not reachable from between the boxes, so its walls reflect outwards.
         let inwards = normal(hit.prim as usize % 192) * if hit.prim >= 192 { -1.0 } else { 1.0 };
         assert!(scene.tracers[0].any(&point.toward(&outside, Ends::Open).unwrap()) || hit.prim < 192);
         // To corners of squares, along the diagonals, or anywhere.
@@ -298,16 +300,16 @@ fn nothing_leaks_in_single() {
 
 #[test]
 fn nothing_leaks_in_double() {
-    // Their distances are told by rational points, which grow.
+    // Their distances come from rational points, which grow.
     nothing_leaks::<DVec3>(&boxes(4, 0.3), 300);
 }
 
-/// From within the boxes.
+/// Returns a ray from between the boxes.
 fn start<V: Precision>() -> ExactRay<V> {
     ExactRay::from(&Ray::new(narrow(DVec3::splat(1.0)), narrow(DVec3::new(0.2, 0.5, 0.9))).unwrap())
 }
 
-/// A number from -1 to 1, of 24 digits.
+/// Draws a number from -1 to 1, of 24 bits.
 fn unit(rng: &mut Rng) -> f64 {
     rng.below(1 << 24) as f64 / f64::from(1 << 23) - 1.0
 }
@@ -316,7 +318,7 @@ fn direction(rng: &mut Rng) -> DVec3 {
     DVec3::from(array::from_fn(|_| unit(rng)))
 }
 
-/// The bits of a path's points grow by a constant number at each hit, and a point that is computed late is the same.
+/// The bits of a path's points grow by a constant number at each hit, and computing a point late gives an equal result.
 /// `[SECOND-4]`
 #[test]
 fn points_grow_with_the_length_of_their_path() {
@@ -334,7 +336,7 @@ fn points_grow_with_the_length_of_their_path() {
             let (_, point) = scene.tracers[0].closest_and_point(ray).unwrap_or_else(|| panic!("{ray:?}"));
             let size = if is_early { bits(&point) } else { 0 };
             let ahead = point.ray(direction, f32::INFINITY, Ends::Open).unwrap();
-            // Whichever side of the wall it is: outside there is nothing.
+            // On either side of the wall. Outside there is nothing to hit.
             let ray = if scene.tracers[0].any(&ahead) {
                 ahead
             } else {
@@ -347,7 +349,7 @@ fn points_grow_with_the_length_of_their_path() {
         early = ray;
         let (ray, other, _) = next(&late, false);
         late = ray;
-        // It stands on points that stand on others, as long as none is computed.
+        // It depends on earlier points, until one is computed.
         assert!((1..=8).contains(&format!("{late:?}").matches("Met {").count()), "{late:?}");
         if sizes.len() % 40 == 0 {
             assert_eq!(point.rational(), other.rational());

@@ -1,4 +1,4 @@
-//! What every box test does.
+//! Properties of every box test.
 
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
@@ -8,7 +8,7 @@ use stackless_bvh::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slab
 use stackless_bvh::geom::{Aabb, EnclosedRay, Interval, Ray, Region, truth};
 use stackless_check::check_slabs;
 
-/// Few values, so that planes, origins and each other often coincide, and some extreme ones.
+/// Draws from few values, so planes and origins often coincide, with some extreme ones.
 fn coordinate() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 2.0, 0.1, -3.0, 1e-20, 1e30, -1e38, f32::MAX, 1e-42, -1e-42, 1e-45];
     let threshold = any::<u64>().prop_map(|seed| Draw::new(seed).threshold_in_single());
@@ -28,7 +28,7 @@ fn ray() -> impl Strategy<Value = Ray> {
     (point(), point(), end(), end()).prop_filter_map("not a ray", |(o, d, a, b)| Ray::within(o, d, a, b).ok())
 }
 
-/// A ray and a box in the grid of small integers, where a ray often runs in a face or through an edge or corner.
+/// Draws a ray and a box on a grid of small integers, where a ray is often in a face or through an edge or corner.
 fn lattice() -> impl Strategy<Value = (Ray, Aabb)> {
     let small = || [-2..3i8, -2..3i8, -2..3i8].prop_map(|p| Vec3::from(p.map(f32::from)));
     // With zeros of either sign.
@@ -38,7 +38,7 @@ fn lattice() -> impl Strategy<Value = (Ray, Aabb)> {
     })
 }
 
-/// Half the width of an interval: in parts of the number in it if that is small.
+/// Draws half the width of an interval, relative to its number if that is small.
 fn width() -> impl Strategy<Value = f64> {
     prop::sample::select(vec![0.0, 0.0, 1e-16, 1e-9, 1e-5, 0.01, 1.0])
 }
@@ -53,7 +53,7 @@ fn touches(ray: &Ray, aabb: &Aabb) -> bool {
     truth::touches(o, d, [ray.tmin(), ray.tmax()], lo, hi)
 }
 
-/// Everything that a form must do for every ray, and if it promises so, that no box is skipped that is touched.
+/// Checks all properties of a form for any ray, and, if it promises that, that no touched box is skipped.
 fn holds<B: Slabs<Vector = Vec3>>(ray: &Ray, a: Aabb, more: Aabb, promises: bool) -> Result<(), TestCaseError> {
     check_slabs::<B>(ray, &a, &more, promises).map(|_| ()).map_err(|fault| TestCaseError::fail(fault.to_string()))
 }
@@ -127,7 +127,7 @@ proptest! {
 
     #[test]
     fn no_other_box_of_the_lattice_is((ray, aabb) in lattice()) {
-        // Distances differ by a thirtieth or more here, so that padding hits nothing that is not touched.
+        // Distances differ by a thirtieth or more here, so padding hits no untouched box.
         let slabs = Directed::new(&ray, &Region::of(&aabb));
         prop_assert_eq!(slabs.one(&aabb, f32::INFINITY).is_some(), touches(&ray, &aabb));
         let two_sided = TwoSided::new(&ray, &Region::of(&aabb));
@@ -143,7 +143,7 @@ proptest! {
             (Some(near), Some(entry)) => expected && near <= entry && entry - near <= 1e-4 * entry,
             (near, entry) => near.is_none() && entry.is_none() && !expected,
         };
-        // In the greater region nothing is asked of single precision.
+        // In the larger region, single precision is not used.
         let great = Aabb { lo: Vec3::splat(-f32::MAX), hi: Vec3::splat(f32::MAX) };
         for region in [aabb, great].map(|aabb| Region::of(&aabb)) {
             prop_assert!(is_right(Directed::new(&ray, &region).one(&aabb, f32::INFINITY)));
@@ -156,7 +156,7 @@ proptest! {
 
     #[test]
     fn a_box_is_hit_by_rays_that_end_where_they_enter_it(ray in ray(), aabb in aabb()) {
-        // The end is rounded as the distance of a hit is, perhaps down.
+        // The end is rounded like the distance of a hit, possibly down.
         let [o, d, lo, hi] = [ray.origin(), ray.direction(), aabb.lo, aabb.hi].map(|v| v.to_array());
         if let Some(entry) = truth::entry(o, d, [ray.tmin(), ray.tmax()], lo, hi) {
             let t = truth::round_f32(&entry);
@@ -171,7 +171,7 @@ proptest! {
         d in [1..2048i32, 1..2048i32, 1..2048i32],
         s in 1..2048i32,
     ) {
-        // All of these numbers are exact. The box is met in one point, beyond the first of its planes.
+        // All of these numbers are exact. The ray hits the box in one point, beyond the first of its planes.
         let [corner, d] = [corner, d].map(|p| Vec3::from(p.map(|x| x as f32)));
         let ray = Ray::new(corner - d * s as f32, d).expect("a ray");
         let aabb = Aabb::of(&[corner, corner + Vec3::new(9.0, -9.0, 9.0)]);

@@ -1,4 +1,4 @@
-//! Points inside, outside and on solids of which integer arithmetic knows the answers. `[CLOSED-2]` `[WINDING-1]`
+//! Points inside, outside and on solids with known answers in integers. `[CLOSED-2]` `[WINDING-1]`
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::generate::Rng;

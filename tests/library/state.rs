@@ -1,5 +1,5 @@
-//! What a traversal shows of its state: at every visit the trail is what is postponed, and nothing that it has is kept
-//! back.
+//! The visible state of a traversal: at every visit the trail equals the postponed nodes, and the whole state is
+//! visible.
 
 mod kept;
 
@@ -38,7 +38,7 @@ impl Recorder for Look {
     }
 }
 
-/// Whether it has a key, a trail, a counter, a second trail.
+/// Returns whether it has a key, a trail, a counter, a second trail.
 fn has(method: Method) -> [bool; 4] {
     let second = method.test() == Test::Disjoint && method != Method::StackDisjoint;
     let [key, trail, counter] = match method.without_pruning() {
@@ -60,7 +60,7 @@ fn visits<W: KeyWord>(case: &Case, method: Method) -> Option<Vec<Seen>> {
     Some(look.0)
 }
 
-/// Checks all visits; says whether a second trail was ever not 0, and whether the register ever held a node.
+/// Checks all visits. Returns whether a second trail was ever not 0, and whether the register ever had a node.
 fn check(case: &Case, method: Method, visits: &[Seen]) -> [bool; 2] {
     let tree = &case.tree;
     let (keys, parents) = (Keys::of(tree), Parents::of(tree));
@@ -71,7 +71,7 @@ fn check(case: &Case, method: Method, visits: &[Seen]) -> [bool; 2] {
         let depth = keys.depth(slot);
         assert!(seen.key.is_none_or(|key| key == keys.key::<u64>(slot)), "{method} {case:?}");
         if seen.disjoint.is_some() {
-            // What is pruned does not come, though it is postponed.
+            // A pruned node is not visited, although it is postponed.
             continue;
         }
         // Bit j: the sibling of the ancestor j levels up comes later.
@@ -88,7 +88,7 @@ fn check(case: &Case, method: Method, visits: &[Seen]) -> [bool; 2] {
     [visits.iter().any(|seen| seen.disjoint > Some(0)), visits.iter().any(|seen| seen.register.is_some())]
 }
 
-/// A search that ends at its first hit may leave what is postponed; one for all hits leaves nothing.
+/// A search that ends at its first hit may leave postponed nodes. A search for all hits leaves none.
 fn whole(case: Case) -> Case {
     Case { any: false, ..case }
 }
@@ -205,7 +205,7 @@ fn a_tree_without_a_node_more_is_complete() {
     assert_eq!((error.nodes, error.depth), (5, 2));
     assert_eq!(error.to_string(), "the tree is not complete: 5 nodes at a depth of 2 edges");
     let glassner = Glassner::of(&comb);
-    // 4 bytes a bucket, 12 an entry, 16 a key.
+    // 4 bytes per bucket, 12 per entry, 16 per key.
     assert_eq!(glassner.bytes(), 5 * (4 + 12 + 16));
 }
 
@@ -313,13 +313,13 @@ fn words_by_name_and_depth() {
     assert_eq!(narrowest, [a, a, b, b, c, c, d, d]);
 }
 
-/// A right-leaning chain with a leaf at each inner node.
+/// Returns a right-leaning chain with a leaf at each inner node.
 fn chain(depth: u32) -> Tree {
     let children: Vec<_> = (0..depth).flat_map(|i| [Some([2 * i + 1, 2 * i + 2]), None]).chain([None]).collect();
     Tree::new(&children).unwrap()
 }
 
-/// Nothing is to be looked up here.
+/// A table without lookups.
 struct Never;
 
 impl<W: KeyWord> Lookup<W> for Never {
@@ -328,7 +328,7 @@ impl<W: KeyWord> Lookup<W> for Never {
     }
 }
 
-/// Both children of some nodes, the left child of the others.
+/// Wants both children of some nodes, and the left child of all other nodes.
 struct LeftDown(&'static [usize]);
 
 impl Visitor for LeftDown {

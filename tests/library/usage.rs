@@ -1,4 +1,4 @@
-//! The programs of `examples/` run, and what they assert holds.
+//! The programs of `examples/` run, and their assertions hold.
 
 #[path = "../../examples/curve.rs"]
 pub(crate) mod curve;
@@ -17,7 +17,7 @@ mod next_hits;
 #[path = "../../examples/own_primitives.rs"]
 mod own_primitives;
 
-/// What a program returns.
+/// The result of a program.
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]

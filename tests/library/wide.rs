@@ -1,4 +1,4 @@
-//! Traversals of wide trees: against their oracle, at the limits of words, and of two children against the binary ones.
+//! Traversals of wide trees: compared with their oracle, at the limits of words, and with binary ones for two children.
 
 use arbitrary::Unstructured;
 use std::collections::BTreeSet;
@@ -71,7 +71,7 @@ proptest! {
     }
 }
 
-/// A chain whose inner nodes reach exactly this level, each with `A - 1` leaves around the next node.
+/// Returns a chain whose inner nodes reach exactly this level, each with `A - 1` leaves around the next node.
 fn chain<const A: usize>(levels: u32, rng: &mut Rng) -> Tree<A> {
     let mut nodes: Vec<Option<Vec<u32>>> = vec![None];
     let mut last = 0;
@@ -175,7 +175,7 @@ fn an_end_far_below_counts_at_all_levels() {
     ends_far_below::<8>(&[16, 30, 31]);
 }
 
-/// A trail is a list of pending sets and of dirty bits, as deep as it carries. A node 64 levels up has none: it counts as
+/// A trail equals a list of pending sets and dirty bits, up to its depth. A node 64 levels up has no bit and counts as
 /// dirty.
 fn a_trail_is_a_list<const A: usize, W: TrailWord>(mut trail: Trail<W>) {
     let (mut rng, levels) = (Rng::new(A as u64), <Trail<W> as PendingStore<A>>::LEVELS as usize);
@@ -237,7 +237,7 @@ fn trails_are_lists_of_sets() {
     a_trail_is_a_list::<8, _>(Trail::<u128>::default());
 }
 
-/// Wants the children of a binary tape, in its order, in a wide tree with the same addresses.
+/// Wants the children of a binary tape, in its order, in a wide tree with equal addresses.
 struct Binary<V>(V);
 
 impl<V: Visitor> Search<2> for Binary<V> {
@@ -247,7 +247,7 @@ impl<V: Visitor> Search<2> for Binary<V> {
         let descent = self.0.inner(node);
         let first = u32::from(descent.first() == Side::Right);
         let set = if descent.is_neither() { 0 } else { 1 << first | u32::from(descent.postpones()) << (1 - first) };
-        // The first one's other bits are 0, the second one's are 1.
+        // The first one's remaining bits are 0, the second one's are 1.
         Wanted { set, ranks: std::array::from_fn(|slot| u32::from(slot as u32 != first) << 1 | slot as u32) }
     }
 
@@ -286,7 +286,7 @@ fn with_two_children_it_is_the_binary_traversal() {
     assert!(traces.len() > 25, "{traces:?}");
 }
 
-/// Wants everything, inner nodes first, so that each node is gone back to that can be.
+/// Wants all children, inner nodes first, so that each possible return to a node occurs.
 struct InnerFirst<'t, const A: usize>(&'t Tree<A>);
 
 impl<const A: usize> Search<A> for InnerFirst<'_, A> {
@@ -307,7 +307,7 @@ impl<const A: usize> Search<A> for InnerFirst<'_, A> {
     }
 }
 
-/// Notes which keys are asked for.
+/// Records the keys of lookups.
 #[derive(Debug)]
 struct Noted<'a>(&'a stackless_bvh::hash::PerfectHash, std::cell::RefCell<BTreeSet<u64>>);
 
@@ -352,7 +352,7 @@ fn the_state_is_as_large_as_its_words() {
         let [few, some, many] = bytes(method);
         match method {
             Method::Stack => assert_eq!([few, some, many], [296, 520, 968]),
-            // A set and two children with their ranks a level.
+            // A set, and two children with their ranks, per level.
             Method::Recorded | Method::Hashed => {
                 assert_eq!([some - few, many - some], [4 * 17, 8 * 17], "{method}");
                 assert!(many <= 312, "{method}");

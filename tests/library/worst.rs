@@ -1,5 +1,5 @@
-//! The worst cases that searches have found, in `tests/data/worst`: each file is named after what costs most or errs
-//! there, and has the count. Traversals agree with their oracle on the trees, and the exact tests with rational
+//! The worst known cases, in `tests/data/worst`. Each file has the name of the most expensive traversal or of the
+//! failing test, and the count. Traversals agree with their oracle on the trees, and the exact tests with rational
 //! arithmetic on the rays.
 
 use std::fs;
@@ -13,7 +13,7 @@ use stackless_bvh::trace::{KernelName, SlabsName};
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Battery, Replay, Stress, Verdict};
 
-/// The name and path of each file.
+/// Returns the name and path of each file.
 fn files() -> impl Iterator<Item = (String, PathBuf)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/worst");
     let paths = fs::read_dir(folder).expect("the folder").map(|entry| entry.expect("a file").path());
@@ -50,7 +50,7 @@ fn all_traversals_agree_on_the_worst_trees() {
     assert_eq!(trees, 14);
 }
 
-/// The exact tests are right, and the test that a file is named after errs. [CONF-2] [EXACT-1]
+/// The exact tests are right, and the test in the file's name fails. [CONF-2] [EXACT-1]
 #[test]
 fn only_the_exact_tests_are_right_about_the_worst_rays() {
     let [mut cases, mut wrong] = [0; 2];

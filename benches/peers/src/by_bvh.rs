@@ -1,8 +1,8 @@
 //! `bvh`: its hierarchy by surface area.
 //!
-//! Its iterators in the order of distance do not know how far the closest hit so far is, and its traversal of the boxes
-//! that a query meets asks the query at each. So the query here is a ray that becomes shorter. Its triangle test is for
-//! front sides and for directions of unit length, so the test is that of Möller & Trumbore, with edges computed ahead.
+//! Its iterators in the order of distance do not shorten the ray after a hit. Its traversal of the boxes that a query
+//! hits calls the query for each box, so the query here is a ray that becomes shorter. Its triangle test is for front
+//! sides and unit directions, so the test here is that of Möller & Trumbore, with precomputed edges.
 
 use std::cell::Cell;
 
@@ -73,7 +73,7 @@ impl Tracer for Hierarchy {
     }
 }
 
-/// Levels that the iterators of the crate have room for; beyond, they panic.
+/// The capacity of the crate's iterators in levels. In deeper trees they panic.
 const STACK: usize = 32;
 
 fn depth(bvh: &Bvh<f32, 3>) -> usize {
@@ -123,7 +123,7 @@ impl BHShape<f32, 3> for Triangle {
 impl Segment {
     #[inline]
     fn new(ray: &Ray) -> Self {
-        // `Ray::new` would make the direction's length 1, and distances are to be in its lengths.
+        // `Ray::new` would normalise the direction, but distances are in units of its length.
         let direction = Vector3::from(ray.direction);
         let inverse = direction.map(|x| 1.0 / x);
         let prepared = BvhRay { origin: ray.origin.into(), direction, inv_direction: inverse };

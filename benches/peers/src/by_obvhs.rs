@@ -1,4 +1,4 @@
-//! `obvhs`: its binary hierarchy and its compressed wide one, both by the preset `medium_build`.
+//! `obvhs`: its binary hierarchy and its compressed wide one, with the preset `medium_build`.
 //!
 //! As its examples advise, triangles lie in the order of the leaves, so that no index is looked up on the way. They are
 //! in the form that it has for tracing on processors ([`RtTriangle`], edges and normal computed ahead).

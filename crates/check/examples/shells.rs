@@ -1,8 +1,8 @@
 //! Judges closest hits and ordered lists on thin shells by integers: `shells [CLOSEST [LISTS]]`.
 //!
-//! Spheres whose radii differ by 2^-23, and sheets 1e-6 apart, seen from distances of 10 to 10^5: most rounded distances
-//! are equal there, and only the exact order tells the first hit. The oracle is a test of all triangles in 128 bits,
-//! which shares no code with the library. `[EXACT-1]` `[EXACT-13]`
+//! The scenes are spheres whose radii differ by 2^-23, and sheets 1e-6 apart, seen from distances of 10 to 10^5. Most
+//! rounded distances are equal there, and only the exact order determines the first hit. The oracle tests all triangles
+//! in 128-bit integers and shares no code with the library. `[EXACT-1]` `[EXACT-13]`
 
 use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
@@ -45,7 +45,7 @@ fn main() -> Result<(), Failure> {
     if wrong == 0 && hits > 0 && tied > 0 { Ok(()) } else { Err("wrong hits, or none that tell".into()) }
 }
 
-/// Spheres of radius `1 + k 2^-23`, in any order.
+/// Builds spheres of radius `1 + k 2^-23`, in random order.
 fn spheres(rng: &mut Rng) -> Result<Mesh, Failure> {
     let (around, along) = (8, 4);
     let mut of = Vec::new();
@@ -63,7 +63,7 @@ fn spheres(rng: &mut Rng) -> Result<Mesh, Failure> {
     mesh(of)
 }
 
-/// Squares that are 1e-6 apart, tilted alike, in any order.
+/// Builds squares that are 1e-6 apart and equally tilted, in random order.
 fn sheets(rng: &mut Rng) -> Result<Mesh, Failure> {
     let tilt = [(); 2].map(|()| rng.below(256) as f64 / 256.0 - 0.5);
     let of = (0..8).flat_map(|_| {
@@ -76,7 +76,7 @@ fn sheets(rng: &mut Rng) -> Result<Mesh, Failure> {
 }
 
 fn mesh(triangles: Vec<[Vec3; 3]>) -> Result<Mesh, Failure> {
-    // On a grid of 2^-24: numbers have at most 42 bits, the longest product 115.
+    // Coordinates are on a grid of 2^-24. Numbers have at most 42 bits, and the longest product has 115.
     let snapped = triangles.as_flattened().iter().copied().map(on_grid).collect();
     let indices = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     Ok(Mesh::new(snapped, indices)?)
@@ -84,7 +84,7 @@ fn mesh(triangles: Vec<[Vec3; 3]>) -> Result<Mesh, Failure> {
 
 const GRID: f32 = (1_u32 << 24) as f32;
 
-/// From a distance of 10 to 10^5 to a point of the unit ball.
+/// Draws a ray to a point of the unit ball, from a distance of 10 to 10^5.
 fn ray(rng: &mut Rng) -> Result<Ray, Failure> {
     let mut unit = || DVec3::from([(); 3].map(|()| rng.below(1 << 20) as f64 * f64::powi(2.0, -19) - 1.0));
     let (towards, way) = (unit(), unit());
@@ -98,7 +98,7 @@ fn on_grid(v: Vec3) -> Vec3 {
     (v * GRID).round() / GRID
 }
 
-/// All triangles, in units of 2^-24.
+/// All triangles, with coordinates in units of 2^-24.
 struct Integers(Vec<[[i128; 3]; 3]>);
 
 impl Integers {
@@ -106,7 +106,7 @@ impl Integers {
         Self((0..mesh.triangles().len()).map(|i| mesh.triangle(i).map(whole)).collect())
     }
 
-    /// The triangles that the ray meets, by exact distance, then by index.
+    /// Returns the triangles that the ray hits, by exact distance, then by index.
     fn hits(&self, ray: &Ray) -> Vec<u32> {
         let (o, d) = (whole(ray.origin()), whole(ray.direction()));
         let mut hits: Vec<_> =
@@ -120,7 +120,7 @@ fn whole(v: Vec3) -> [i128; 3] {
     v.to_array().map(|x| (f64::from(x) * f64::from(GRID)) as i128)
 }
 
-/// Möller and Trumbore's numerator and denominator, which is positive, of the distance.
+/// Returns the numerator and the positive denominator of the distance (Möller and Trumbore).
 fn distance(&[a, b, c]: &[[i128; 3]; 3], o: [i128; 3], d: [i128; 3]) -> Option<(i128, i128)> {
     let (e1, e2, s) = (minus(b, a), minus(c, a), minus(o, a));
     let (p, q) = (cross(d, e2), cross(s, e1));

@@ -1,16 +1,16 @@
-//! All small trees under all decisions, by number.
+//! Enumeration of all small trees under all decisions.
 
 use super::Case;
 use stackless_bvh::generate::{Cell, Tape};
 use stackless_bvh::tree::Tree;
 
-/// Every tree of up to so many leaves, under every script of decisions: each case once, and each found by its number, so
-/// that any part of them can be checked. An inner node that is reached decides for none of its children, for one, or for
-/// both in either order. What is not reached decides nothing.
+/// Enumerates every tree of up to a number of leaves, under every script of decisions. Each case occurs once and has a
+/// number, so a check can be split into ranges. A reached inner node enters none of its children, one of them, or both
+/// in either order. Unreached nodes decide nothing.
 ///
-/// No symmetry is used. To leave out mirror images would halve the work, but a mistake that treats left and right unlike
-/// each other might show in the other half only. To take a leaf for each subtree that is not reached would leave out three
-/// cases in ten, but their keys are in the tables of the hashes.
+/// The enumeration uses no symmetry. Omitting mirror images would halve the work, but could hide a bug that treats left
+/// and right differently. Replacing each unreached subtree by a leaf would save three cases in ten, but the keys of
+/// these subtrees are in the hash tables.
 ///
 /// ```
 /// use stackless_check::AllCases;
@@ -23,13 +23,13 @@ use stackless_bvh::tree::Tree;
 /// ```
 #[derive(Clone, Debug)]
 pub struct AllCases {
-    /// Shapes with so many leaves.
+    /// Number of shapes, by number of leaves.
     shapes: Vec<u64>,
-    /// Shapes with so many leaves, with decisions.
+    /// Number of shapes with decisions, by number of leaves.
     scripts: Vec<u64>,
 }
 
-/// What an inner node decides.
+/// The decision at an inner node.
 #[derive(Clone, Copy)]
 struct Decision {
     /// Whether the children are entered.
@@ -45,7 +45,7 @@ const DECISIONS: [Decision; 5] = [
     Decision { enters: [true, true], right_first: true },
 ];
 
-/// Children and cells of the nodes that are there already.
+/// The children and cells of the nodes built so far.
 #[derive(Default)]
 struct Growing {
     children: Vec<Option<[u32; 2]>>,
@@ -53,13 +53,13 @@ struct Growing {
 }
 
 impl AllCases {
-    /// Most leaves: the numbers of all cases are below 2^64.
+    /// The maximum number of leaves. The numbers of all its cases are below 2^64.
     pub const LEAVES: u32 = 18;
 
-    /// The sign order of this octant is that of the scripts.
+    /// In this octant the sign order equals the order of the scripts.
     const OCTANT: u8 = 2;
 
-    /// All cases of up to so many leaves, and of [`LEAVES`](Self::LEAVES) at most.
+    /// Enumerates all cases of up to `leaves` leaves, [`LEAVES`](Self::LEAVES) at most.
     pub fn up_to(leaves: u32) -> Self {
         let (mut shapes, mut scripts) = (vec![0, 1], vec![0, 1]);
         for n in 2..=leaves.min(Self::LEAVES) as usize {
@@ -72,12 +72,12 @@ impl AllCases {
         Self { shapes, scripts }
     }
 
-    /// How many there are.
+    /// Returns the number of cases.
     pub fn count(&self) -> u64 {
         self.scripts.iter().sum()
     }
 
-    /// The case of a number below [`count`](Self::count); of a greater one the last.
+    /// Returns the case with a number below [`count`](Self::count). For greater numbers it returns the last case.
     pub fn case(&self, number: u64) -> Case {
         let mut rest = number.min(self.count() - 1);
         let mut leaves = 1;
@@ -93,7 +93,7 @@ impl AllCases {
         Case { tree, tape, any: false, octant: Self::OCTANT }
     }
 
-    /// Puts the subtree of a number under a node, which is reached or not.
+    /// Grows the subtree with a number below a node, which is reached or not.
     fn grow(&self, growing: &mut Growing, node: usize, leaves: usize, is_reached: bool, mut rest: u64) {
         let decisions = if is_reached { &DECISIONS[..] } else { &DECISIONS[..1] };
         for left in 1..leaves {
@@ -122,7 +122,7 @@ impl AllCases {
     }
 }
 
-/// The numbers of left and of right subtrees with so many leaves, below a node with this decision.
+/// Counts the left and the right subtrees with these numbers of leaves, below a node with this decision.
 fn ways(shapes: &[u64], scripts: &[u64], sizes: [usize; 2], decision: Decision) -> [u64; 2] {
     [0, 1].map(|side| if decision.enters[side] { scripts[sizes[side]] } else { shapes[sizes[side]] })
 }
@@ -136,7 +136,7 @@ mod tests {
     use stackless_bvh::generate::{Exhaustive, Kind, Source, shape};
     use stackless_bvh::tree::Topology;
 
-    /// What a case is: the shape from the root on, and what the inner nodes that are reached decide.
+    /// Describes a case: its shape from the root, and the decisions of the reached inner nodes.
     fn described(case: &Case) -> String {
         let (mut text, mut pending) = (String::new(), vec![(case.tree.root(), true)]);
         while let Some((node, is_reached)) = pending.pop() {
@@ -174,7 +174,7 @@ mod tests {
     fn they_are_as_many_as_the_formula_says() {
         assert_eq!(AllCases::up_to(9).scripts, [0, 1, 5, 34, 273, 2430, 23_154, 231_300, 2_391_241, 25_369_574]);
         assert_eq!(AllCases::up_to(9).shapes, [0, 1, 1, 2, 5, 14, 42, 132, 429, 1430]);
-        // No overflow, and any number has a case.
+        // The counts do not overflow, and any number has a case.
         let most = AllCases::up_to(u32::MAX);
         assert_eq!(most.scripts.len() as u32, AllCases::LEAVES + 1);
         assert_eq!(most.case(u64::MAX).size() as u32, 2 * AllCases::LEAVES - 1);

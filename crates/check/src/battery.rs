@@ -15,21 +15,21 @@ use stackless_bvh::traverse::{
 };
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
-/// What came of running a traversal.
+/// The result of checking one traversal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict<F = Fault> {
-    /// It did what its oracle did, in so many visits.
+    /// The traversal agrees with its oracle, with this number of visits.
     Agrees {
         /// Visits, restarts included.
         steps: u64,
     },
-    /// It does not run on this tree in this word, and said so before the first step.
+    /// The traversal does not support this tree with this word, and refused it before the first step.
     Refused(Unsupported),
-    /// It differs.
+    /// The traversal differs from its oracle.
     Differs(F),
 }
 
-/// A case with its oracles and with the tables of the traversals to be checked. `[CONF-1]`
+/// A case with its oracles and the tables of the traversals to check. `[CONF-1]`
 #[derive(Debug)]
 pub struct Battery<'c> {
     case: &'c Case,
@@ -37,7 +37,7 @@ pub struct Battery<'c> {
     keys: Arc<Keys>,
     is_static: bool,
     parents: Parents,
-    /// By [`Test`]: filled when first asked for.
+    /// One oracle per [`Test`], computed on first use.
     oracles: [Option<Oracle>; Test::ALL.len()],
     memory: Vec<Node>,
 }
@@ -49,11 +49,11 @@ struct Oracle {
 }
 
 impl<'c> Battery<'c> {
-    /// Deepest tree that gets the implicit layout here, 64 KiB of addresses; the implicit traversals look others up
-    /// in the plain map, and scenes exercise the reserved layout.
+    /// The deepest tree that gets the implicit layout here: 64 KiB of addresses. Deeper trees are looked up in the
+    /// plain map; scenes exercise the reserved layout.
     const IMPLICIT_DEPTH: u32 = 13;
 
-    /// Prepares a case for some traversals.
+    /// Prepares a case for the given traversals.
     pub fn new(case: &'c Case, methods: &[Method]) -> Self {
         let octants = case.octant..case.octant.saturating_add(1);
         let beside = AuxTables::for_octants(&case.tree, case.tape.axes(), methods, Self::IMPLICIT_DEPTH, octants);
@@ -69,15 +69,15 @@ impl<'c> Battery<'c> {
         }
     }
 
-    /// Runs one traversal in one word.
+    /// Checks one traversal with one word.
     pub fn check(&mut self, method: Method, word: WordName) -> Verdict {
         with_word(word, Check { battery: self, method })
     }
 
-    /// Runs a cursor that the caller drives: `run` gets the search and the recorder, and `test` names the oracle.
+    /// Checks a cursor that the caller drives. `run` gets the search and the recorder, and `test` selects the oracle.
     ///
-    /// With `restarts`, visits on the way down from the root are left out, and where answers change only the hit is
-    /// compared.
+    /// With `restarts`, visits on the way down from the root are skipped. Where answers change during a search, only
+    /// the hit is compared.
     pub fn judge(
         &mut self,
         test: Test,
@@ -121,7 +121,7 @@ impl<'c> Battery<'c> {
         }
     }
 
-    /// Whether the oracle that leaves nodes out has lost nothing by it; looked at once.
+    /// Returns whether the pruning oracle loses no hit. Computed once.
     fn is_pruning_right(&mut self, test: Test) -> Result<(), Fault> {
         let case = self.case;
         if self.oracles[test as usize].is_some() {
@@ -185,7 +185,7 @@ impl Oracle {
         trace
     }
 
-    /// Whether this, with some nodes left out, has the hit of the whole, and visits nothing else.
+    /// Checks that this pruned search finds the hit of the whole search and visits no other nodes.
     fn is_part_of(&self, whole: &Self) -> Result<(), Fault> {
         if self.outcome.hit != whole.outcome.hit {
             return Err(Fault::Hit { expected: whole.outcome.hit, found: self.outcome.hit });

@@ -1,4 +1,4 @@
-//! Slab tests against rational arithmetic: whether a box is skipped that the ray touches.
+//! Comparison of slab tests with rational arithmetic: boxes that the ray touches must not be skipped.
 
 use std::ops::Range;
 
@@ -12,36 +12,39 @@ use stackless_bvh::geom::slabs::{Directed, Plain, TwoSided};
 use stackless_bvh::geom::{Aabb, Ray, Region, Slabs, truth};
 use stackless_bvh::trace::SlabsName;
 
-/// How often boxes were skipped that the ray touches, for each of [`SlabsName::ALL`].
+/// Counts of touched boxes that were skipped, for each of [`SlabsName::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BoxTally {
     /// Rays, each with one box.
     pub rays: u64,
-    /// Boxes that the exact, closed interval of the ray touches.
+    /// Boxes that the ray's exact, closed interval touches.
     pub touched: u64,
     /// Touched boxes that were skipped.
     pub skipped: [u64; 3],
-    /// Boxes that are not touched and were entered all the same: what the promise costs.
+    /// Boxes that were entered although the ray does not touch them: the cost of conservative tests.
     pub in_vain: [u64; 3],
 }
 
-/// Number of kinds of rays and boxes; they come in turn.
+/// Number of kinds of rays and boxes. They are interleaved.
 const KINDS: u64 = 10;
 
-/// Rays of a chunk: what one thread does at a time.
+/// Rays per chunk, the unit of work of a thread.
 const CHUNK: u64 = 4096;
 
-/// Tests random and adversarial rays with a box each, by their numbers, on all cores. The same seed gives the same
-/// rays.
+/// Tests numbered random and adversarial rays with one box each, on all cores. Equal seeds give equal rays.
 ///
-/// Random points; grids of small integers; corners that are met exactly, and that rounding hides; intervals that begin
-/// or end at the box; origins on planes; flat boxes and points; components of 0, -0, and of all sizes down to the
-/// least; coordinates of all sizes.
+/// The rays and boxes are:
+/// - random points, and grids of small integers
+/// - corners that are hit exactly, or nearly within rounding
+/// - intervals that begin or end at the box
+/// - origins on planes, flat boxes and points
+/// - components of 0, -0 and of all magnitudes down to the least float
+/// - coordinates of all magnitudes
 pub fn check_boxes(seed: u64, numbers: Range<u64>, progress: Progress<'_>) -> BoxTally {
     let chunk = |start: u64| {
         let mut draw = Draw::new(seed ^ start.wrapping_mul(0x9e37_79b9_7f4a_7c15));
         let mut tally = BoxTally::default();
-        // A chunk is drawn from its beginning, wherever its part of the numbers begins.
+        // Every chunk is drawn from its beginning, even where the range begins inside it.
         let end = numbers.end.min(start.saturating_add(CHUNK));
         for i in start..end {
             let drawn = draw_kind(&mut draw, i % KINDS);
@@ -75,7 +78,7 @@ impl BoxTally {
         }
     }
 
-    /// The counts of both.
+    /// Adds the counts of another tally.
     #[must_use]
     pub fn merge(self, other: Self) -> Self {
         let sum = |a: [u64; 3], b: [u64; 3]| [0, 1, 2].map(|i| a[i].saturating_add(b[i]));
@@ -92,14 +95,14 @@ fn enters<B: Slabs<Vector = Vec3>>(ray: &Ray, aabb: &Aabb) -> bool {
     B::new(ray, &Region::of(aabb)).one(aabb, ray.tmax()).is_some()
 }
 
-/// A ray and a box of a kind; `None` where the numbers are not a ray.
+/// Draws a ray and a box of one kind. Returns `None` if the numbers are not a valid ray.
 fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
     let (mut o, mut d) = (draw.cube() * 4.0 - 1.5, draw.cube() - 0.5);
     let mut aabb = Aabb::of(&[draw.cube(), draw.cube()]);
     let mut interval = [0.0, f32::INFINITY];
     match kind {
         0 => d = aabb.lo + aabb.extent() * draw.cube() - o,
-        // Whole numbers: a corner that is met exactly, from a distance of s directions.
+        // Integers: the ray hits a corner exactly, at a distance of s directions.
         1 => {
             let corner = draw.ints(2048);
             d = draw.ints(2048);
@@ -110,14 +113,14 @@ fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
             (o, d) = (draw.ints(3), draw.ints(3));
             aabb = Aabb::of(&[draw.ints(3), draw.ints(3)]);
         }
-        // A corner or an edge, as nearly as rounding allows.
+        // A corner or an edge, hit as closely as rounding allows.
         3 | 4 => {
             d = corner_of(draw, &aabb) - o;
             if kind == 4 {
                 d[draw.below(3)] *= 1.0 + draw.unit() * f32::EPSILON;
             }
         }
-        // Along axes, on planes.
+        // Rays along axes and on planes.
         5 => {
             let axis = draw.below(3);
             let corner = corner_of(draw, &aabb);
@@ -128,20 +131,20 @@ fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
                 o[(axis + 1) % 3] = corner[(axis + 1) % 3];
             }
         }
-        // One component of any size, down to the least, toward a plane that is near.
+        // One component of any magnitude, down to the least, toward a close plane.
         6 => {
             let axis = draw.below(3);
             d[axis] = draw.float(-149, 127);
             o[axis] = corner_of(draw, &aabb)[axis] - [d[axis], d[axis] * 0.5, draw.float(-149, -60)][draw.below(3)];
         }
-        // Intervals that begin or end where the box does.
+        // Intervals that begin or end at the box.
         7 => {
             let corner = corner_of(draw, &aabb);
             o = corner - draw.ints(64);
             d = corner - o;
             interval = [[0.0, 1.0], [1.0, 1.0], [1.0, f32::INFINITY], [0.0, 1.0f32.next_down()]][draw.below(4)];
         }
-        // Boxes that are flat on one axis or on two, and points.
+        // Boxes without extent on one or two axes, and points.
         8 => {
             let first = draw.below(3);
             for i in 0..=draw.below(3) {
@@ -150,7 +153,7 @@ fn draw_kind(draw: &mut Draw, kind: u64) -> Option<(Ray, Aabb)> {
             }
             d = corner_of(draw, &aabb) - o;
         }
-        // Numbers of all sizes.
+        // Coordinates of all magnitudes.
         _ => {
             o = draw.floats(-149, 127);
             let corner = draw.floats(-149, 127);
@@ -169,7 +172,7 @@ fn corner_of(draw: &mut Draw, aabb: &Aabb) -> Vec3 {
 mod tests {
     use super::*;
 
-    /// Boxes without extent on one axis, on two, and points.
+    /// Checks boxes without extent on one axis, on two axes, and on all.
     #[test]
     fn boxes_are_flat_in_every_way() {
         let (mut draw, mut flat) = (Draw::new(1), [0; 8]);

@@ -1,36 +1,36 @@
-//! One case: a tree, a tape, a query.
+//! One case: a tree, a tape and a query.
 
 use stackless_bvh::generate::{Cell, Family, Kind, Rng, Source, Tape, shape};
 use stackless_bvh::hash::mix;
 use stackless_bvh::tree::{Topology, Tree};
 
-/// What every traversal is asked to do.
+/// The input of every traversal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Case {
     /// The tree.
     pub tree: Tree,
-    /// What the search decides.
+    /// The decisions of the search.
     pub tape: Tape,
     /// An any-hit query, which stops at the first hit.
     pub any: bool,
-    /// Signs of the direction, one bit an axis, for traversals of fixed order.
+    /// Signs of the direction, one bit per axis, for fixed-order traversals.
     pub octant: u8,
 }
 
-/// Limits of random cases. What is `None` is drawn.
+/// Limits of random cases. `None` means random.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CaseOptions {
     /// Family of the trees.
     pub family: Option<Family>,
-    /// Depth: combs are that deep, other trees have one leaf more and so are at most that deep.
+    /// Depth of the tree. Combs have this depth. Other trees have one leaf more than it, which bounds their depth.
     pub depth: Option<u32>,
 }
 
 impl Case {
-    /// Most leaves of a random tree: 64 nodes and the one that a binary tree has more.
+    /// Most leaves of a random tree, which then has 63 nodes.
     pub const LEAVES: u32 = 32;
 
-    /// The case of a seed: the same on every machine.
+    /// Generates the case of a seed, equal on every machine.
     ///
     /// # Panics
     /// None: every generator makes a tree.
@@ -46,7 +46,7 @@ impl Case {
         Self::with_tree(tree, Kind::ALL[rng.below(Kind::ALL.len() as u64) as usize], &mut rng)
     }
 
-    /// A case from the choices of a source, as fuzzers and shrinking tests make them: at most `leaves` leaves.
+    /// Draws a case of at most `leaves` leaves from the choices of a source, as fuzzers and shrinking tests do.
     pub fn draw(source: &mut impl Source, leaves: u32) -> Self {
         let leaves = 1 + source.below(u64::from(leaves)) as u32;
         let tree = Tree::from_generated(&shape(source, leaves));
@@ -55,10 +55,10 @@ impl Case {
         Self { tree, tape, any: source.coin(), octant: source.below(8) as u8 }
     }
 
-    /// A comb of so many edges that a search goes down to its end, and comes back in few and long climbs.
+    /// Draws a comb of `depth` edges. The search descends to its end and returns in few, long climbs.
     ///
-    /// Of the leaves beside the way few are wanted, in each case another share. Some lie behind all that is below, so that a hit
-    /// there drops them. Random tapes hardly ever lead so deep.
+    /// Few of the leaves next to the path are entered; the fraction varies between cases. Some lie behind everything
+    /// below them, so a hit below drops them. Random tapes rarely lead this deep.
     pub fn chain(source: &mut impl Source, depth: u32) -> Self {
         let tree = Family::Comb.tree(source, depth.saturating_add(1));
         let one_in = [2, 4, 16, 64][source.below(4) as usize];
@@ -72,7 +72,7 @@ impl Case {
             let mut below = Cell { exit: Some(end), ..Cell::default() };
             let mut other = Cell { miss: source.below(one_in) != 0, ..below };
             if !other.miss && source.coin() {
-                // Two steps of the interval are the leaf's, behind the rest.
+                // The last two steps of the interval belong to the leaf, behind the rest.
                 (below.exit, other.enter) = (Some(end - 2), end - 1);
             }
             let distance = source.below(u64::from(end - other.enter) + 1) as u32;
@@ -89,21 +89,21 @@ impl Case {
         Self { tree, tape, any: false, octant: source.below(8) as u8 }
     }
 
-    /// A case over a given tree, with the tape of a drawn seed.
+    /// Builds a case for a given tree, with a drawn tape.
     pub fn with_tree(tree: Tree, kind: Kind, rng: &mut Rng) -> Self {
         let tape = Tape::hashed(mix(rng.bits()), &tree, kind);
         Self { tree, tape, any: rng.below(4) == 1, octant: rng.below(8) as u8 }
     }
 
-    /// Whether the answers at a node are the same whenever it is visited: no hit that can shorten the search comes
-    /// before the entry of any node.
+    /// Returns whether the answers at a node do not depend on the time of the visit: no hit that can shorten the search
+    /// comes before the entry of any node.
     pub fn is_static(&self) -> bool {
         let nearest_hit = self.tape.cells().iter().filter_map(|cell| cell.hit).min();
         let farthest = self.tape.cells().iter().map(|cell| cell.enter).max();
         self.any || nearest_hit.is_none() || farthest <= nearest_hit
     }
 
-    /// Number of nodes.
+    /// Returns the number of nodes.
     pub fn size(&self) -> usize {
         self.tree.node_count()
     }

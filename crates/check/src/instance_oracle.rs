@@ -1,5 +1,4 @@
-//! The oracle of instances: every triangle of every instance moved to where it is, and each of them asked, in rational
-//! arithmetic.
+//! The oracle of instances: transforms every triangle of every instance and tests all of them in rational arithmetic.
 
 use std::sync::Arc;
 
@@ -15,16 +14,16 @@ use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, Insta
 
 type IntegerPoint = [IBig; 3];
 
-/// What is placed, as the oracle knows it.
+/// A placed shape, in the form that the oracle uses.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape<V: Vector = Vec3> {
     /// Triangles.
     Mesh(Mesh<V>),
-    /// Indices of earlier shapes, and their places.
+    /// Indices of earlier shapes, and their transforms.
     Group(Vec<(usize, AffineMap<V::Real>)>),
 }
 
-/// The hierarchies of shapes, from which an assembly of them is made.
+/// Hierarchies of shapes, for building assemblies.
 #[derive(Debug)]
 pub struct Hierarchies<V: Precision = Vec3> {
     /// By shape; `None` for groups.
@@ -40,11 +39,11 @@ enum Held<V: Precision> {
 }
 
 impl<V: Precision> Hierarchies<V> {
-    /// Builds those of the meshes, all in one way: wide ones with `wide`, and every other one of these in single precision,
-    /// if that has the mesh.
+    /// Builds the hierarchies of the meshes with the same options. With `wide` they are wide, and every second one is
+    /// in single precision if it can represent the mesh.
     ///
     /// # Errors
-    /// What [`WideError`] lists.
+    /// The errors of [`WideError`].
     pub fn new(shapes: &[Shape<V>], options: BuildOptions, wide: Option<&WideOptions>) -> Result<Self, WideError> {
         let build = |(i, shape): (usize, &Shape<V>)| -> Result<_, WideError> {
             let Shape::Mesh(mesh) = shape else { return Ok(None) };
@@ -58,10 +57,10 @@ impl<V: Precision> Hierarchies<V> {
         Ok(Self { bvhs: shapes.iter().enumerate().map(build).collect::<Result<_, _>>()?, options })
     }
 
-    /// The assembly of these shapes, which must be the same, and the objects that they have become.
+    /// Assembles these shapes, which must be those of [`new`](Self::new). Returns the assembly and its objects.
     ///
     /// # Errors
-    /// What [`AssemblyError`] lists. A group of shapes that do not come before it leaves those out.
+    /// The errors of [`AssemblyError`]. A group omits shapes that do not come before it.
     pub fn assembly(&self, shapes: &[Shape<V>]) -> Result<(Assembly<V>, Vec<Object>), AssemblyError> {
         let (mut assembly, mut objects) = (Assembly::new(), Vec::<Object>::new());
         for (shape, bvh) in shapes.iter().zip(&self.bvhs) {
@@ -83,28 +82,28 @@ impl<V: Precision> Hierarchies<V> {
     }
 }
 
-/// The same mesh, if single precision has all its numbers.
+/// Converts the mesh to single precision, if that is exact.
 pub fn in_single<V: Vector>(mesh: &Mesh<V>) -> Option<Mesh> {
     let single = |v: &V| Some(v.widen().as_vec3()).filter(|single| single.as_dvec3() == v.widen());
     Mesh::new(mesh.vertices().iter().map(single).collect::<Option<_>>()?, mesh.triangles().to_vec()).ok()
 }
 
-/// A ray through instances that is answered otherwise than by the oracle.
+/// A ray whose answer differs from that of the oracle.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{found:?}, expected {expected:?}")]
 pub struct InstanceFault<R: Real = f32> {
     /// All hits of the ray, in order.
     pub expected: Vec<InstanceHit<R>>,
-    /// The hits of a query that answers otherwise, or its yes or no.
+    /// The hits of the query that differs, or its yes or no.
     pub found: Result<Vec<InstanceHit<R>>, bool>,
 }
 
 /// Compares all queries of a ray with the oracle, in every bit. `[INST-6]`
 ///
-/// Returns whether there is one.
+/// Returns whether the ray hits.
 ///
 /// # Errors
-/// The first answer that is wrong.
+/// The first wrong answer.
 pub fn check_instances<V: Vector>(
     tracer: &InstanceTracer<V>,
     flat: &InstanceOracle<V>,
@@ -113,10 +112,10 @@ pub fn check_instances<V: Vector>(
     check_answer(tracer, &flat.all(ray), ray)
 }
 
-/// Compares all queries of a ray with its expected hits, which are sorted.
+/// Compares all queries of a ray with its expected hits, which must be sorted.
 ///
 /// # Errors
-/// The first answer that is wrong.
+/// The first wrong answer.
 pub fn check_answer<V: Vector>(
     tracer: &InstanceTracer<V>,
     expected: &[InstanceHit<V::Real>],
@@ -143,11 +142,11 @@ pub fn check_answer<V: Vector>(
     if any == expected.is_empty() { fault(Err(any)) } else { Ok(any) }
 }
 
-/// All triangles of the last shape, moved to where they are. `[INST-1]`
+/// All triangles of the last shape, transformed to their places. `[INST-1]`
 #[derive(Debug)]
 pub struct InstanceOracle<V: Vector = Vec3> {
     triangles: Vec<Placed<V>>,
-    /// Coordinates are integers over 2 to this power.
+    /// Coordinates are integers divided by 2 to this power.
     log: usize,
 }
 
@@ -156,12 +155,12 @@ struct Placed<V> {
     path: Vec<u32>,
     prim: u32,
     exact: [IntegerPoint; 3],
-    /// Rounded.
+    /// The rounded corners.
     corners: [V; 3],
 }
 
 impl<V: Vector> InstanceOracle<V> {
-    /// Moves them. Groups must place shapes that come before them.
+    /// Transforms all triangles. Groups must place shapes that come before them.
     pub fn new(shapes: &[Shape<V>]) -> Self {
         let mut found = Vec::new();
         collect(shapes, shapes.len().saturating_sub(1), &mut Vec::new(), &mut Vec::new(), &mut found);
@@ -174,12 +173,12 @@ impl<V: Vector> InstanceOracle<V> {
         Self { triangles: triangles.collect(), log }
     }
 
-    /// Corners of all triangles, rounded to floats.
+    /// Returns the corners of all triangles, rounded to floats.
     pub fn corners(&self) -> impl Iterator<Item = &[V; 3]> {
         self.triangles.iter().map(|triangle| &triangle.corners)
     }
 
-    /// All hits in the order of exact distance, path, triangle.
+    /// Returns all hits, ordered by exact distance, path and triangle.
     pub fn all(&self, ray: &Ray<V>) -> Vec<InstanceHit<V::Real>> {
         let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
         let log = self.log.max(log_of(line.as_flattened().iter()));
@@ -235,8 +234,8 @@ fn collect<V: Vector>(
     }
 }
 
-/// Distance and weights of the hit of a line, if the triangle is hit: Cramer's rule for o + t d = a + u (b - a) + v (c
-/// - a).
+/// Returns the distance and the weights where a line hits a triangle, by Cramer's rule for o + t d = a + u (b - a) + v
+/// (c - a).
 pub(crate) fn meet([a, b, c]: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerPoint) -> Option<[RBig; 3]> {
     let minus = |x: &IntegerPoint, y: &IntegerPoint| -> IntegerPoint { std::array::from_fn(|k| &x[k] - &y[k]) };
     let (e, f, s) = (minus(b, a), minus(c, a), minus(o, a));
@@ -253,7 +252,7 @@ pub(crate) fn meet([a, b, c]: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerP
     Some([over(determinant(&e, &f, &s)), u, v])
 }
 
-/// Of the matrix with these columns.
+/// Returns the determinant of the matrix with these columns.
 fn determinant(a: &IntegerPoint, b: &IntegerPoint, c: &IntegerPoint) -> IBig {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
@@ -264,12 +263,12 @@ fn exact<R: Real>(x: R) -> RBig {
     RBig::try_from(x.into()).unwrap_or(RBig::ZERO)
 }
 
-/// The least power of two that all denominators divide.
+/// Returns the exponent of the least power of two that all denominators divide.
 fn log_of<'x>(numbers: impl Iterator<Item = &'x RBig>) -> usize {
     numbers.map(|x| x.denominator().trailing_zeros().unwrap_or(0)).max().unwrap_or(0)
 }
 
-/// A number whose denominator is a power of two, times 2 to the power of `log`.
+/// Scales a number whose denominator is a power of two by 2 to the power of `log`.
 fn scaled(x: &RBig, log: usize) -> IBig {
     let whole = x * RBig::from(UBig::ONE << log);
     debug_assert!(whole.is_int(), "{x} has more than {log} digits");

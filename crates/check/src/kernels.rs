@@ -1,30 +1,30 @@
-//! The property bodies of triangle tests, box tests and distances: each against rational arithmetic.
+//! The property bodies of triangle tests, box tests and distances: each compares with rational arithmetic.
 
 use glam::Vec3;
 
 use stackless_bvh::geom::truth::{self, Meeting, Number, RBig};
 use stackless_bvh::geom::{Aabb, Kernel, Measure, Ray, Real, Region, Slabs, Triangle, Vector};
 
-/// A geometric test whose answer is not that of rational arithmetic.
+/// A geometric test whose answer differs from rational arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{what}: {found:?}, expected {expected:?}")]
 pub struct GeometryFault {
-    /// What was asked.
+    /// The property that was tested.
     pub what: &'static str,
-    /// The answer that is right; `None` for a miss.
+    /// The right answer; `None` for a miss.
     pub expected: Option<f64>,
-    /// The answer that was given.
+    /// The answer found.
     pub found: Option<f64>,
 }
 
-/// Asks a triangle test everything that it can be asked about one triangle, in a scene of that triangle alone and in
-/// one that is much greater: distance, whether it blocks, weights, and that a limit of the distance itself leaves
-/// nothing out. `[EXACT-1]`
+/// Checks all properties of a triangle test with one triangle: distance, occlusion, weights, and that an interval
+/// ending at the distance itself still includes the hit. The scene is the triangle alone, and then a much larger one.
+/// `[EXACT-1]`
 ///
 /// Returns whether the triangle is hit.
 ///
 /// # Errors
-/// The first answer that differs from the rounded truth, in any bit.
+/// The first answer that differs from the correctly rounded result, in any bit.
 pub fn check_triangle<K, V>(triangle: &Triangle<V>, ray: &Ray<V>) -> Result<bool, GeometryFault>
 where
     K: Kernel<Vector = V, Shape = Triangle<V>>,
@@ -52,10 +52,10 @@ where
     Ok(t.is_some())
 }
 
-/// Asks whether a triangle is degenerate: whether no line along an axis crosses it.
+/// Checks whether a triangle is reported as degenerate exactly when no line along an axis crosses it.
 ///
 /// # Errors
-/// If the answer is wrong.
+/// A wrong answer.
 pub fn check_degenerate<V: Vector>(triangle: &Triangle<V>) -> Result<(), GeometryFault> {
     let corners = triangle.0.map(|corner| corner.widen().to_array());
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -64,16 +64,16 @@ pub fn check_degenerate<V: Vector>(triangle: &Triangle<V>) -> Result<(), Geometr
     same("whether it is degenerate", as_number(is_flat), as_number(triangle.is_degenerate()))
 }
 
-/// Asks a box test about a box and one around it, one by one and as a pair: the answers must be the same, and the outer
-/// box entered no later. `[BOX-3]`
+/// Tests a box and a larger box around it, one by one and as a pair. Checks that the answers are equal, and that the
+/// outer box is entered no later than the inner one. `[BOX-3]`
 ///
-/// Of a form that `promises` to skip no box that is touched, also whether both are entered no later than they truly
-/// are, even if the ray ends there. `[BOX-2]` `[BOX-6]`
+/// If the test `promises` to skip no touched box, also checks that no box is entered later than in exact arithmetic,
+/// even if the ray ends there. `[BOX-2]` `[BOX-6]`
 ///
 /// Returns whether the inner box is touched.
 ///
 /// # Errors
-/// The first of these that does not hold.
+/// The first violated property.
 pub fn check_slabs<B: Slabs>(
     ray: &Ray<B::Vector>,
     inner: &Aabb,
@@ -111,18 +111,19 @@ pub fn check_slabs<B: Slabs>(
     }
 }
 
-/// Whether a box lies behind the origin on an axis, wholly: it is not touched, and nothing is promised about it.
+/// Returns whether a box lies wholly behind the origin on an axis. Such a box is not touched, and nothing is promised
+/// about it.
 fn is_behind<V: Vector>(ray: &Ray<V>, aabb: &Aabb) -> bool {
     let [o, d] = [ray.origin(), ray.direction()].map(|v| v.widen().to_array());
     let (lo, hi) = (aabb.lo.widen().to_array(), aabb.hi.widen().to_array());
     (0..3).any(|k| d[k] > 0.0 && hi[k] < o[k] || d[k] < 0.0 && lo[k] > o[k])
 }
 
-/// Asks for the distance of a triangle from a point: without a limit, up to the distance itself as limit and as radius,
-/// and around it; and for the nearest point. `[NEAR-1]` `[NEAR-3]`
+/// Checks the distance of a triangle from a point: without a limit, with the distance itself as the limit and as the
+/// radius, and with limits around it. Also checks the nearest point. `[NEAR-1]` `[NEAR-3]`
 ///
 /// # Errors
-/// The first answer that is not the truth, rounded.
+/// The first answer that differs from the correctly rounded one.
 pub fn check_distance<V: Vector>(triangle: &Triangle<V>, point: V) -> Result<(), GeometryFault> {
     let Some(square) = truth::square_distance(triangle.0.map(V::components), point.components()) else { return Ok(()) };
     let (distance, infinity) = (truth::round_root::<V::Real>(&square), V::Real::INFINITY);
@@ -131,7 +132,7 @@ pub fn check_distance<V: Vector>(triangle: &Triangle<V>, point: V) -> Result<(),
     };
     ask("distance", infinity, infinity, Some(distance))?;
     ask("distance within itself", infinity, distance, Some(distance))?;
-    // The radius is compared with what is not rounded.
+    // The radius is compared with the unrounded distance.
     if let Ok(radius) = RBig::try_from(distance.into()) {
         let is_within = square <= &radius * &radius;
         ask("distance within its radius", distance, distance, is_within.then_some(distance))?;
@@ -143,12 +144,11 @@ pub fn check_distance<V: Vector>(triangle: &Triangle<V>, point: V) -> Result<(),
     check_point(triangle, point, Measure::new(point, infinity).nearest(triangle))
 }
 
-/// Checks that what was found is the point of a triangle that is nearest to another, each coordinate rounded once.
-/// `[NEAR-3]`
+/// Checks that `found` is the point of the triangle nearest to `point`, with each coordinate rounded once. `[NEAR-3]`
 pub(crate) fn check_point<V: Vector>(triangle: &Triangle<V>, point: V, found: V) -> Result<(), GeometryFault> {
     let truth = truth::nearest_point(triangle.0.map(V::components), point.components());
     for (expected, found) in truth.iter().flatten().zip(found.components()) {
-        // Of zeros the positive one.
+        // Zeros become positive.
         let expected = V::Real::nearest(expected).into() + 0.0;
         same("coordinate of the nearest point", Some(expected), Some(found.into()))?;
     }

@@ -1,11 +1,11 @@
-//! Checking traversals against the oracle.
+//! Checks of traversals against the oracle.
 //!
-//! A [`Case`] is a tree, a decision tape and a query. A [`Battery`] runs the oracle on it once and then any traversal
-//! in any word, comparing at every visit ([`Fault`] lists what can differ). Tests, the command line, fuzzing and
-//! benchmarks all drive this one body. [`shrink()`] makes a failing case small, and a [`Replay`] file keeps it.
+//! A [`Case`] is a tree, a decision tape and a query. A [`Battery`] runs the oracle on it once, then runs any traversal
+//! with any word and compares every visit ([`Fault`] lists the differences). Tests, the command line, fuzzing and
+//! benchmarks all use this property body. [`shrink()`] reduces a failing case, and a [`Replay`] file stores it.
 //!
-//! Beside it are the bodies of what traversals rest on: [`Pauses`], [`check_table`], [`check_triangle`],
-//! [`check_slabs`], [`check_trees`], [`InstanceOracle`]. Each takes its inputs from whoever drives it.
+//! The crate also has property bodies for the components of traversals: [`Pauses`], [`check_table`],
+//! [`check_triangle`], [`check_slabs`], [`check_trees`], [`InstanceOracle`]. Callers supply their inputs.
 
 #![forbid(unsafe_code)]
 

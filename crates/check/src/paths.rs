@@ -1,4 +1,4 @@
-//! The property body of rays that begin where others have hit.
+//! The property body of paths: rays that begin at the hits of other rays.
 
 use std::array;
 
@@ -11,34 +11,34 @@ use stackless_bvh::trace::{InstanceHit, InstanceTracer};
 
 use crate::instance_oracle::meet;
 
-/// Where a path goes on from where it is.
+/// One leg of a path, from the current point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leg {
-    /// Along this direction, or to this point.
+    /// The direction or the target.
     pub heading: Heading,
     /// Whether the ends of the ray belong to it.
     pub ends: Ends,
 }
 
-/// A direction or a point, of floats.
+/// A direction or a point, in floats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Heading {
-    /// Along it, up to this distance.
+    /// Along a direction, up to this distance.
     Along(Vec3, f32),
-    /// To it.
+    /// To a point.
     Toward(Vec3),
 }
 
-/// How an implementation goes on from a point.
+/// An implementation of path continuation.
 pub trait Path {
-    /// The ray of the next leg; `None` where there is none.
+    /// Builds the ray of the next leg; `None` if there is none.
     fn ray(&self, from: &ExactPoint, leg: &Leg) -> Option<ExactRay>;
 
-    /// The closest hit, and its point. `left` is the triangle on which the ray begins.
+    /// Returns the closest hit and its point. `left` is the triangle where the ray begins.
     fn closest(&self, tracer: &InstanceTracer, ray: &ExactRay, left: Option<u32>) -> Option<(InstanceHit, ExactPoint)>;
 }
 
-/// As the library does.
+/// The library's implementation.
 #[derive(Clone, Copy, Debug)]
 pub struct Exactly;
 
@@ -55,25 +55,25 @@ impl Path for Exactly {
     }
 }
 
-/// A path that hits otherwise than in rational arithmetic.
+/// A hit of a path that differs from rational arithmetic.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("leg {leg} hits {found:?}, expected {expected:?} (triangle, and bits of distance and weights)")]
 pub struct PathFault {
-    /// Which leg.
+    /// Number of the leg.
     pub leg: usize,
-    /// The triangle that is right, with its distance and weights, as bits.
+    /// The right triangle, with its distance and weights as bits.
     pub expected: Option<(u32, [u32; 3])>,
-    /// The answer that was given.
+    /// The answer found.
     pub found: Option<(u32, [u32; 3])>,
 }
 
-/// Follows a path from a point through a mesh, which `tracer` must be over, until a leg misses: each hit must be that
-/// of rational arithmetic in every bit. `[SECOND-1]` `[SECOND-2]`
+/// Follows a path through a mesh from a point, until a leg misses. `tracer` must be of this mesh. Checks that each hit
+/// equals that of rational arithmetic in every bit. `[SECOND-1]` `[SECOND-2]`
 ///
-/// Returns how many legs hit.
+/// Returns the number of legs that hit.
 ///
 /// # Errors
-/// The first leg that does not.
+/// The first leg that differs.
 pub fn check_path(
     path: &impl Path,
     tracer: &InstanceTracer,
@@ -106,7 +106,7 @@ pub fn check_path(
     Ok(legs.len())
 }
 
-/// The first hit in the order of exact distance and triangle, with distance and weights.
+/// Returns the first hit by exact distance and triangle, with distance and weights.
 fn closest(mesh: &Mesh, origin: &[RBig; 3], direction: &[RBig; 3], leg: &Leg) -> Option<(u32, [RBig; 3])> {
     let end = match leg.heading {
         Heading::Along(_, tmax) => RBig::try_from(tmax).ok(),
@@ -116,7 +116,7 @@ fn closest(mesh: &Mesh, origin: &[RBig; 3], direction: &[RBig; 3], leg: &Leg) ->
         Ends::Open => *t > RBig::ZERO && end.as_ref().is_none_or(|end| t < end),
         Ends::Closed => *t >= RBig::ZERO && end.as_ref().is_none_or(|end| t <= end),
     };
-    // Times what makes them integers: distance and weights are the same.
+    // A common factor makes all coordinates integers; distance and weights do not change.
     let over = origin.iter().chain(direction).fold(UBig::ONE << 149, |over, x| over * x.denominator());
     let integer = |x: &RBig| x.numerator() * IBig::from(&over / x.denominator());
     let [o, d] = [origin, direction].map(|v| v.each_ref().map(integer));
@@ -129,6 +129,6 @@ fn closest(mesh: &Mesh, origin: &[RBig; 3], direction: &[RBig; 3], leg: &Leg) ->
 }
 
 fn rational(v: Vec3) -> [RBig; 3] {
-    // They are finite.
+    // All coordinates are finite.
     v.to_array().map(|x| RBig::try_from(x).unwrap_or_default())
 }

@@ -1,5 +1,4 @@
-//! The property body of pausing: stopped at any step and taken up again in any way, a traversal goes on as if nothing
-//! had happened.
+//! The property body of pausing: a traversal that is paused at any step and resumed by any method continues unchanged.
 
 use std::fmt;
 
@@ -16,37 +15,37 @@ use stackless_bvh::traverse::{
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 
-/// How a traversal is taken up again.
+/// Methods of resuming a traversal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// By the addresses that were kept.
+    /// From the stored addresses.
     Addresses,
     /// From bytes.
     Bytes,
-    /// By key and trail; the addresses by walking down from the root.
+    /// From key and trail. A walk down from the root finds the addresses.
     Walk,
-    /// By key and trail; the addresses from a plain table.
+    /// From key and trail, with addresses from a plain table.
     Map,
-    /// By key and trail; the addresses from a perfect hash of all keys.
+    /// From key and trail, with addresses from a perfect hash of all keys.
     Hash,
-    /// By another traversal.
+    /// In another traversal.
     Other(Method),
-    /// By the key alone.
+    /// From the key alone.
     KeyOnly,
 }
 
-/// A traversal that did not go on as it should.
+/// A traversal that resumed wrongly.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PauseFault {
     /// The traversal.
     pub method: Method,
-    /// How it was taken up again.
+    /// The method of resuming.
     pub way: Way,
-    /// Number of visits before it was put aside.
+    /// Number of visits before the pause.
     pub visits: usize,
-    /// What came next.
+    /// The next step at the pause.
     pub next: Next,
-    /// What went wrong.
+    /// A description of the fault.
     pub what: String,
 }
 
@@ -59,7 +58,7 @@ impl fmt::Display for PauseFault {
 
 impl std::error::Error for PauseFault {}
 
-/// A case with what it takes to put its traversals aside.
+/// A case, with the tables for pausing and resuming its traversals.
 #[derive(Debug)]
 pub struct Pauses<'c> {
     pub(super) case: &'c Case,
@@ -84,10 +83,11 @@ impl<'c> Pauses<'c> {
         }
     }
 
-    /// Puts one traversal aside before each visit and after each leaf, and takes it up in every way. Returns how often.
+    /// Pauses one traversal before each visit and after each leaf, and resumes it by every method. Returns the number
+    /// of resumed traversals.
     ///
     /// # Errors
-    /// The first fault; `Ok(0)` where the traversal does not run on this tree in this word.
+    /// The first fault. Returns `Ok(0)` if the traversal does not support this tree with this word.
     pub fn check<W: KeyWord>(&self, method: Method) -> Result<usize, Box<PauseFault>> {
         let (mut whole, mut search) = (Trace::default(), self.search());
         if self.tables.with_cursor::<W, _>(method, Run(&mut search, &mut whole)).is_err() {
@@ -127,7 +127,7 @@ impl<'c> Pauses<'c> {
             let resumed = GoOn { from: Start::State(paused.clone()), search: &mut search, trace: &mut trace };
             match self.tables.with_cursor::<W, _>(method, resumed) {
                 Ok(ran) => ran.map_err(|what| fault(way, what))?,
-                // Not all carry the same depth.
+                // Supported depths differ between traversals.
                 Err(_) if way == Way::Other(method) => return Ok(()),
                 Err(unfit) => return Err(refused(way)(&unfit)),
             }
@@ -147,7 +147,7 @@ impl<'c> Pauses<'c> {
         let read = self.states.from_bytes::<W>(&bytes).map_err(|error| refused(Way::Bytes)(&error))?;
         go_on(method, Way::Bytes, &read, true)?;
 
-        // Traversals without a key know the address, and the check knows its key.
+        // Traversals without a key have the address, from which the check finds the key.
         let slot = self.case.tree.slot(paused.node);
         if W::carries(self.keys.depth(slot), 1).is_err() {
             return Ok(resumes);
@@ -164,7 +164,7 @@ impl<'c> Pauses<'c> {
             go_on(method, Way::Hash, &by_hash, true)?;
         }
         for other in methods() {
-            // Where the second trail gets lost, or begins in the middle, only what is found must be the same.
+            // If the second trail is lost, or begins in the middle, only the hits must be equal.
             go_on(other, Way::Other(other), &located, other.test() == method.test())?;
         }
         let from = KeyOnly::locate(key, next, &walk).map_err(|error| refused(Way::KeyOnly)(&error))?;
@@ -172,7 +172,8 @@ impl<'c> Pauses<'c> {
         Ok(resumes + 1)
     }
 
-    /// From the key alone everything that is not below the nodes before is visited, in the order of the keys' climb.
+    /// Checks resuming from the key alone: it visits all nodes except those below earlier nodes, in the order of the
+    /// climb along the keys.
     fn check_key_only<W: KeyWord>(
         &self,
         method: Method,
@@ -197,7 +198,7 @@ impl<'c> Pauses<'c> {
         }
     }
 
-    /// The visits of the oracle below a node, if that is to be visited, and below all nodes that a trail postpones.
+    /// Returns the oracle's visits below a node, if it is to be visited, and below all nodes that a trail postpones.
     pub(super) fn expected<W: KeyWord>(
         &self,
         key: &W,
@@ -226,12 +227,12 @@ impl<'c> Pauses<'c> {
     }
 }
 
-/// The traversals that can be put aside.
+/// Returns the traversals that can be paused.
 pub(super) fn methods() -> impl Iterator<Item = Method> {
     Method::ALL.into_iter().filter(|method| method.can_pause())
 }
 
-/// Runs to the end.
+/// Runs a traversal to its end.
 struct Run<'a, 'c>(&'a mut Search<'c, Tree>, &'a mut Trace);
 
 impl<W> WithCursor<W> for Run<'_, '_> {
@@ -242,7 +243,7 @@ impl<W> WithCursor<W> for Run<'_, '_> {
     }
 }
 
-/// A traversal up to where it is put aside.
+/// A traversal up to its pause.
 struct Before<'c> {
     trace: Trace,
     search: Search<'c, Tree>,
@@ -250,7 +251,7 @@ struct Before<'c> {
     next: Next,
 }
 
-/// Stops before visit number `visits`, counted from 0, or where it is a leaf's, after it.
+/// Pauses before visit number `visits`, counted from 0, or after it if it is a leaf.
 struct PutAside<'a, 'c>(&'a mut Before<'c>);
 
 impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
@@ -269,12 +270,12 @@ impl<W: KeyWord> WithCursor<W> for PutAside<'_, '_> {
         recorder.visits += 1;
         let mut visitor = StopAtLeaf { search, flow: Flow::Continue };
         let stopped = traverse_pruned(&mut cursor, &mut visitor, &mut recorder)?;
-        // A search that has ended by itself is not put aside.
+        // A search that has ended is not paused.
         (visitor.flow == Flow::Continue).then(|| cursor.put_aside(stopped))
     }
 }
 
-/// Records, and stops when enough visits are recorded.
+/// Records visits, and stops after a given number.
 struct Until<'a> {
     trace: &'a mut Trace,
     visits: usize,
@@ -286,7 +287,7 @@ impl Recorder for Until<'_> {
     }
 }
 
-/// Stops at a leaf, and keeps what the search has answered there.
+/// Stops at a leaf, and stores the answer of the search there.
 struct StopAtLeaf<'a, 'c> {
     search: &'a mut Search<'c, Tree>,
     flow: Flow,
@@ -309,18 +310,18 @@ impl Pruned for StopAtLeaf<'_, '_> {
     }
 }
 
-/// Goes on with a traversal that was put aside.
+/// Resumes a paused traversal.
 #[derive(Debug)]
 pub struct GoOn<'a, 'c, W> {
-    /// From where.
+    /// The state to resume from.
     pub from: Start<W>,
-    /// The search, with what it has found so far.
+    /// The search, with its hits so far.
     pub search: &'a mut Search<'c, Tree>,
-    /// Gets the visits.
+    /// Receives the visits.
     pub trace: &'a mut Trace,
 }
 
-/// What is left of a traversal that was put aside.
+/// The stored part of a paused traversal.
 #[derive(Debug)]
 pub enum Start<W> {
     /// Its state.

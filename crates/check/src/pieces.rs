@@ -1,4 +1,4 @@
-//! Traversals by name, piece by piece.
+//! Traversals of cut trees, by name.
 
 use std::convert::Infallible;
 
@@ -11,26 +11,27 @@ use stackless_bvh::traverse::{
 };
 use stackless_bvh::tree::{Node, Reach, Topology};
 
-/// A cut tree with the tables of all traversals whose state has words. `[DEPTH-4]`
+/// A cut tree with the tables of all traversals that have a word in their state. `[DEPTH-4]`
 #[derive(Debug)]
 pub struct Pieces<'c, T> {
     cuts: &'c Cuts<'c, T>,
     hashes: Vec<PieceTable<PerfectHash>>,
     full_hashes: Vec<PieceTable<PerfectHash>>,
-    /// In place of implicit layouts and of Glassner's table.
+    /// Replace implicit layouts and Glassner's table.
     maps: Vec<PieceTable<KeyMap>>,
 }
 
 impl<'c, T: Topology> Pieces<'c, T> {
-    /// All traversals whose state has words, but `complete`, which is Glassner's with another table.
+    /// Returns all traversals that have a word in their state, except `complete`, which equals Glassner's with another
+    /// table.
     pub fn methods() -> impl Iterator<Item = Method> {
         Method::ALL.into_iter().filter(|&method| method.has_words() && method != Method::Complete)
     }
 
-    /// Makes the tables. The tree must name [links](stackless_bvh::tree::Linked) for the traversals that follow them.
+    /// Builds the tables. The tree must have [links](stackless_bvh::tree::Linked) for the traversals that follow links.
     ///
     /// # Errors
-    /// Those of the perfect hashes.
+    /// The errors of building perfect hashes.
     pub fn new(cuts: &'c Cuts<'c, T>) -> Result<Self, BuildError> {
         let hashes = |key_set| {
             let options = Options { key_set, sizing: Sizing::Tight };
@@ -44,12 +45,12 @@ impl<'c, T: Topology> Pieces<'c, T> {
         })
     }
 
-    /// By piece: the keys that `hashed` looks up.
+    /// Returns a perfect hash per piece, of the keys that `hashed` looks up.
     pub fn hashes(&self) -> &[PieceTable<PerfectHash>] {
         &self.hashes
     }
 
-    /// By piece: all keys.
+    /// Returns a perfect hash per piece, of all keys.
     pub fn full_hashes(&self) -> &[PieceTable<PerfectHash>] {
         &self.full_hashes
     }
@@ -108,7 +109,7 @@ impl<'c, W: KeyWord, T: Topology> Supply<'c, W> for OfPiece<'c, T> {
         Ok(&self.pieces.maps[self.piece.number()])
     }
 
-    /// Pieces need not be complete.
+    /// Pieces may be incomplete trees.
     fn complete(&self) -> Result<Self::Complete, Unsupported> {
         Err(Unsupported::NoTable)
     }

@@ -1,4 +1,4 @@
-//! Many cases: the random ones, and those at the limits of the words.
+//! Checks of many cases: random ones, and those at the depth limits of the words.
 
 use std::ops::Range;
 
@@ -12,7 +12,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::traverse::{Method, WithWord, WordName, with_word};
 use stackless_bvh::tree::Topology;
 
-/// What to check.
+/// The traversals, words and random trees of a check.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Number of random trees.
@@ -23,7 +23,7 @@ pub struct Plan {
     pub options: CaseOptions,
     /// The traversals.
     pub methods: Vec<Method>,
-    /// The words. Traversals without words are run once.
+    /// The words. Traversals without words run once.
     pub words: Vec<WordName>,
 }
 
@@ -42,11 +42,11 @@ pub struct Disagreement {
     pub fault: Fault,
 }
 
-/// Called with the number of trees that were just done, from any thread.
+/// Receives the number of newly finished trees, from any thread.
 pub type Progress<'a> = &'a (dyn Fn(u64) + Sync);
 
 impl Plan {
-    /// The traversals of this plan in its words, as far as they exist; one without words appears once.
+    /// Returns the supported pairs of traversal and word. A traversal without words appears once.
     pub fn pairs(&self) -> Vec<(Method, WordName)> {
         let pairs = self.methods.iter().flat_map(|&method| {
             let words = if method.has_words() { &self.words[..] } else { &self.words[..1] };
@@ -55,17 +55,17 @@ impl Plan {
         pairs.filter(|&(method, word)| with_word(word, Exists(method))).collect()
     }
 
-    /// Random case number `i`.
+    /// Generates random case number `i`.
     pub fn case(&self, i: u64) -> Case {
         Case::random(mix(self.seed.wrapping_add(i)), self.options)
     }
 
-    /// Runs all traversals in all words on one case.
+    /// Checks all traversals in all words on one case.
     pub fn check_case(&self, case: &Case, tally: &mut Tally) -> Option<Disagreement> {
         self.check_pairs(&self.pairs(), case, tally)
     }
 
-    /// The same for those that want the pairs of the plan only once.
+    /// Checks one case, with the pairs of the plan computed by the caller.
     fn check_pairs(&self, pairs: &[(Method, WordName)], case: &Case, tally: &mut Tally) -> Option<Disagreement> {
         let mut battery = Battery::new(case, &self.methods);
         tally.depth = tally.depth.max(case.tree.depth());
@@ -91,16 +91,16 @@ impl WithWord for Exists {
     }
 }
 
-/// Checks random cases of a plan, by their numbers, on all cores. The result does not depend on how many there are.
+/// Checks a range of the plan's random cases on all cores. The result does not depend on the number of cores.
 ///
-/// Of the disagreements, the one of the smallest tree is returned.
+/// Of all disagreements, returns the one with the smallest tree.
 pub fn check_random(plan: &Plan, numbers: Range<u64>, progress: Progress<'_>) -> (Tally, Option<Disagreement>) {
     check_numbered(plan, numbers, &|number| plan.case(number), progress)
 }
 
-/// Checks cases by their numbers, on all cores. The result does not depend on how many there are.
+/// Checks a range of numbered cases on all cores. The result does not depend on the number of cores.
 ///
-/// Of the disagreements, the one of the smallest tree is returned.
+/// Of all disagreements, returns the one with the smallest tree.
 pub fn check_numbered(
     plan: &Plan,
     numbers: Range<u64>,
@@ -120,7 +120,7 @@ pub fn check_numbered(
     (0..chunks).into_par_iter().map(chunk).reduce(<(Tally, Option<Disagreement>)>::default, merge)
 }
 
-/// Checks given cases with their numbers, one after the other.
+/// Checks numbered cases one after another.
 pub fn check_cases(plan: &Plan, cases: impl Iterator<Item = (u64, Case)>) -> (Tally, Option<Disagreement>) {
     let (pairs, mut tally) = (plan.pairs(), Tally::default());
     let mut smallest = None;
@@ -140,18 +140,18 @@ pub fn merge(
 }
 
 fn smaller(a: Option<Disagreement>, b: Option<Disagreement>) -> Option<Disagreement> {
-    // Of equal sizes the first.
+    // The first of the smallest cases.
     a.into_iter().chain(b).min_by_key(|found| (found.case.size(), found.number))
 }
 
-/// What is counted where traversals are put aside.
+/// Counts of the checks of pausing.
 #[derive(Debug, Default)]
 pub struct PauseTally {
-    /// How often one was taken up again.
+    /// Number of resumed traversals.
     pub resumes: u64,
-    /// Cases and traversals in which this went wrong.
+    /// Number of pairs of case and traversal that failed.
     pub faults: u64,
-    /// The first of these, with the number of its case.
+    /// The first fault, with the number of its case.
     pub first: Option<(u64, Box<PauseFault>)>,
 }
 
@@ -165,9 +165,9 @@ impl PauseTally {
     }
 }
 
-/// Puts the traversals of a plan aside, in its words, on those random cases of these numbers that are small.
+/// Pauses and resumes the traversals of a plan, in its words, on the small ones of a range of random cases.
 pub fn check_pauses(plan: &Plan, numbers: Range<u64>, progress: Progress<'_>) -> PauseTally {
-    // Each step of each traversal is taken up in each way: that is for trees that are not large.
+    // Each traversal is resumed after each step by each method, which is feasible for small trees.
     const NODES: usize = 2 * Case::LEAVES as usize;
     let pairs: Vec<_> = plan.pairs().into_iter().filter(|(method, _)| method.can_pause()).collect();
     let check = |i: u64| {
@@ -205,7 +205,7 @@ impl WithWord for InWord<'_, '_> {
     }
 }
 
-/// Cases at and around the depths that words carry: combs and caterpillars with every kind of tape.
+/// Generates cases at and around the depth limits of the words: combs and caterpillars with every kind of tape.
 pub fn boundary_cases(seed: u64) -> impl Iterator<Item = Case> {
     let depths = [0, 1, 2, 30, 31, 32, 33, 62, 63, 64, 65, 126, 127, 128, 129, 200];
     let families = [Family::Comb, Family::Caterpillar, Family::Skew];

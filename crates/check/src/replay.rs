@@ -1,4 +1,4 @@
-//! A failing case in a file.
+//! Files of failing cases.
 
 use std::path::Path;
 
@@ -10,18 +10,18 @@ use stackless_bvh::generate::{Cell, Tape};
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::tree::{Tree, TreeError};
 
-/// A case with the traversals and the word to run it with, as JSON.
+/// A case as JSON, with the traversals and the word to run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Replay {
     /// Children of each node, `null` for a leaf; node 0 is the root.
     pub children: Vec<Option<[u32; 2]>>,
-    /// What the tape says of each node; fields left out are `false`, 0 or no hit.
+    /// The tape's entry for each node. Omitted fields are `false`, 0 or no hit.
     pub cells: Vec<Cell>,
     /// An any-hit query.
     #[serde(default)]
     pub any: bool,
-    /// Signs of the direction, one bit an axis.
+    /// Signs of the direction, one bit per axis.
     #[serde(default)]
     pub octant: u8,
     /// Names of the traversals; all if empty.
@@ -30,25 +30,25 @@ pub struct Replay {
     /// Name of the word; all if absent.
     #[serde(default)]
     pub word: Option<String>,
-    /// What was found, for the reader.
+    /// A description of the fault, for readers of the file.
     #[serde(default)]
     pub fault: Option<String>,
 }
 
-/// Why a file is not a case.
+/// Errors of reading a replay file.
 #[derive(Debug, thiserror::Error)]
 pub enum ReplayError {
     /// The file cannot be read.
     #[error("{0}")]
     Read(#[from] std::io::Error),
-    /// The text is not a replay. (The message names line and column.)
+    /// The text is not a replay. The message has line and column.
     #[error(
         "{}: {}; expected a replay: the line of JSON that `stackless check` prints for a disagreement on a tree",
         if .0.is_data() { "not a replay" } else { "not JSON" },
         .0
     )]
     Json(#[from] serde_json::Error),
-    /// The children are not a tree.
+    /// The children do not form a tree.
     #[error("children: {0}")]
     Tree(#[from] TreeError),
     /// The cells do not fit the tree.
@@ -57,7 +57,7 @@ pub enum ReplayError {
         /// Number of nodes.
         nodes: usize,
     },
-    /// The octant is not one of eight.
+    /// The octant is greater than 7.
     #[error("octant {0}: expected 0 to 7")]
     Octant(u8),
     /// A traversal or word is unknown.
@@ -66,7 +66,7 @@ pub enum ReplayError {
 }
 
 impl Replay {
-    /// The file's text for a failing case.
+    /// Builds the replay of a failing case.
     pub fn of(case: &Case, method: Method, word: WordName, fault: &super::Fault) -> Self {
         Self {
             children: case.tree.to_children(),
@@ -87,10 +87,10 @@ impl Replay {
         Ok(serde_json::from_str(&read_text(path)?)?)
     }
 
-    /// The case.
+    /// Returns the case.
     ///
     /// # Errors
-    /// [`ReplayError`], for what is not a tree with a tape.
+    /// [`ReplayError`], if the file does not describe a tree with a tape.
     pub fn case(&self) -> Result<Case, ReplayError> {
         let tree = Tree::new(&self.children)?;
         let nodes = self.children.len();
@@ -101,7 +101,7 @@ impl Replay {
         Ok(Case { tree, tape, any: self.any, octant: self.octant })
     }
 
-    /// The named traversals, all if none is named.
+    /// Returns the named traversals, or all if no name is given.
     ///
     /// # Errors
     /// [`ReplayError::Name`].
@@ -112,7 +112,7 @@ impl Replay {
         self.methods.iter().map(|name| name.parse().map_err(|_| ReplayError::Name(name.clone()))).collect()
     }
 
-    /// The named word, all if none is named.
+    /// Returns the named word, or all if no name is given.
     ///
     /// # Errors
     /// [`ReplayError::Name`].

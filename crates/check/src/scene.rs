@@ -1,5 +1,5 @@
-//! Rays through real hierarchies, in single or double precision: every traversal against the recursive oracle, and that
-//! against rational arithmetic.
+//! Checks of rays through real hierarchies, in single or double precision. Every traversal is compared with the
+//! recursive oracle, and the oracle with rational arithmetic.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use stackless_bvh::trace::{FromLeft, Hit, NodeSearch, Query, Truth};
 use stackless_bvh::traverse::{AuxTables, Method, Tables, Test, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
-/// A hierarchy over a mesh with all that its check needs.
+/// A hierarchy of a mesh, with the data for its check.
 #[derive(Debug)]
 pub struct SceneTree<'m, V: Vector> {
     truth: &'m Truth<V>,
@@ -27,24 +27,24 @@ pub struct SceneTree<'m, V: Vector> {
     keys: Arc<Keys>,
 }
 
-/// A ray for which a traversal differs from the oracle, or the oracle from the truth.
+/// A ray for which a traversal differs from the oracle, or the oracle from the exact answer.
 #[derive(Clone, Debug)]
 pub struct SceneDisagreement<V: Vector> {
-    /// Number of the ray: its index among those that were checked.
+    /// Index of the ray among the checked rays.
     pub number: u64,
     /// The ray.
     pub ray: Ray<V>,
     /// An any-hit query.
     pub any: bool,
-    /// The traversal; `None` where it is the oracle that differs.
+    /// The traversal; `None` if the oracle differs.
     pub method: Option<(Method, WordName)>,
-    /// What was seen of the oracle, or the true hit.
+    /// The record of the oracle, or the exact hit.
     pub expected: Seen<V::Real>,
-    /// What was seen instead.
+    /// The record that differs.
     pub found: Seen<V::Real>,
 }
 
-/// What is seen of one search: its hit, and the sequence of its visits in one number, restarts left out.
+/// A record of one search: its hit, and a hash of its visits without restarts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seen<R> {
     /// The hit.
@@ -53,17 +53,17 @@ pub struct Seen<R> {
     pub visits: u64,
     /// Hash of the visited nodes, in order.
     pub hash: u64,
-    /// Visits at which the key was not that of the node.
+    /// Visits whose key did not match the node.
     pub wrong_keys: u64,
 }
 
 impl<'m, V: Vector> SceneTree<'m, V> {
-    /// Prepares a hierarchy of the mesh that the truth is of.
+    /// Prepares a hierarchy of the mesh of `truth`.
     pub fn new(truth: &'m Truth<V>, bvh: &'m Bvh<Triangle<V>>) -> Self {
         Self { truth, bvh, boxes: bvh.own_boxes(), keys: Arc::new(Keys::of(bvh)) }
     }
 
-    /// Runs a search and says what was seen of it, and how many visits were made with restarts.
+    /// Runs and records a search. Also returns its number of visits, restarts included.
     fn see<K: Kernel<Vector = V, Shape = Triangle<V>>, B: Slabs<Vector = V>>(
         &self,
         ray: &Ray<V>,
@@ -83,7 +83,7 @@ impl<'m, V: Vector> SceneTree<'m, V> {
         Ok((Seen { hit, ..watch.seen }, watch.steps))
     }
 
-    /// What is seen of the oracle of a test.
+    /// Runs and records the oracle of a test.
     fn see_oracle<K: Kernel<Vector = V, Shape = Triangle<V>>, B: Slabs<Vector = V>>(
         &self,
         ray: &Ray<V>,
@@ -108,11 +108,10 @@ impl<'m, V: Vector> SceneTree<'m, V> {
     }
 }
 
-/// Checks the traversals of a plan on rays through one hierarchy, with exact triangle and box tests of its precision, on
-/// all cores; the first disagreement is returned.
+/// Checks the traversals of a plan with rays through one hierarchy, with exact triangle and box tests of its precision,
+/// on all cores. Returns the first disagreement.
 ///
-/// Of a traversal that restarts only the hits are compared: its questions are answered anew when the ray has become
-/// shorter.
+/// For traversals that restart, only the hits are compared: after a restart, the shorter ray changes their decisions.
 pub fn check_scene<K, B, V>(
     plan: &Plan,
     scene: &SceneTree<'_, V>,
@@ -186,7 +185,7 @@ fn agrees<R: PartialEq>(method: Method, any: bool, expected: Seen<R>, seen: Seen
     if changing { expected.hit == seen.hit } else { expected == seen }
 }
 
-/// Hashes the visits and looks at the keys.
+/// Hashes the visits and checks the keys.
 struct Watch<'a, V: Vector> {
     scene: &'a SceneTree<'a, V>,
     seen: Seen<V::Real>,

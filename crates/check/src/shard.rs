@@ -1,11 +1,11 @@
-//! Parts of a run.
+//! Shards of a run.
 
 use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// One of the parts that a run is cut into. Each list of work is cut into ranges that follow each other, so all parts
-/// together do what the whole does, whatever their number.
+/// One shard of a run. Each list of work is divided into consecutive ranges, so all shards together equal the whole
+/// run, for any number of shards.
 ///
 /// ```
 /// use stackless_check::Shard;
@@ -17,22 +17,22 @@ use std::str::FromStr;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// From 1 on.
+    /// Counted from 1.
     index: u64,
     count: u64,
 }
 
-/// Why a text names no part.
+/// The error for text that is not a shard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("expected I/N with I from 1 to N, as in 3/64")]
 pub struct ShardError;
 
 impl Shard {
-    /// The whole as one part.
+    /// The whole run as one shard.
     pub const WHOLE: Self = Self { index: 1, count: 1 };
 
-    /// The numbers of this part, of those from 0 up to `total`. A list that is shorter than the number of parts leaves
-    /// some of them empty.
+    /// Returns the range of this shard, out of the numbers from 0 up to `total`. If `total` is below the number of
+    /// shards, some ranges are empty.
     pub fn range(self, total: u64) -> Range<u64> {
         // The quotient is at most `total`.
         let end = |index: u64| (u128::from(total) * u128::from(index) / u128::from(self.count)) as u64;
@@ -69,7 +69,7 @@ mod tests {
                 for index in 1..=count {
                     let range = Shard { index, count }.range(total);
                     assert_eq!(range.start, next);
-                    // None is longer than another by more than one.
+                    // Lengths differ by at most one.
                     assert!((total / count..=total.div_ceil(count)).contains(&(range.end - range.start)));
                     next = range.end;
                 }

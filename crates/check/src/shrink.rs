@@ -1,13 +1,13 @@
-//! Making a failing case small.
+//! Reduction of failing cases.
 
 use super::Case;
 use stackless_bvh::generate::{Cell, Tape};
 use stackless_bvh::tree::Tree;
 
-/// Repeats the first simplification under which `fails` still holds, until none does.
+/// Applies the first simplification with which `fails` still holds, and repeats this until there is none.
 ///
-/// Simplifications are: a subtree in place of its parent, a leaf in place of a subtree, and each field of a cell and
-/// of the query set to its default.
+/// A simplification replaces a node by one of its subtrees, replaces a subtree by a leaf, or sets a field of a cell or
+/// of the query to its default.
 pub fn shrink(mut case: Case, fails: impl Fn(&Case) -> bool) -> Case {
     loop {
         let simpler = simplifications(&case).find(&fails);
@@ -30,7 +30,7 @@ fn simplifications(case: &Case) -> impl Iterator<Item = Case> + '_ {
         let simpler = [
             Cell { miss: false, ..cell },
             Cell { enter: 0, ..cell },
-            // From the root down: no child is left after its parent.
+            // From the root down, so no child outlives its parent.
             Cell { exit: None, ..cell },
             Cell { right_first: false, ..cell },
             Cell { axis: 0, ..cell },
@@ -50,7 +50,7 @@ fn with_cell(case: &Case, node: usize, cell: Cell) -> Option<Case> {
     Some(Case { tape: Tape::from_cells(&case.tree, cells)?, ..case.clone() })
 }
 
-/// The case with `node` replaced by one of its children, or by a leaf.
+/// Replaces `node` by one of its children, or by a leaf.
 fn rebuild(case: &Case, node: usize, by: Option<u32>) -> Option<Case> {
     let (children, cells) = (case.tree.to_children(), case.tape.cells());
     let substitute = |old: u32| if old as usize == node { by.unwrap_or(old) } else { old };
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
     use stackless_bvh::generate::{Family, Kind, Rng};
 
-    /// Whatever its kind, a case that fails by its tree alone keeps nothing of its tape.
+    /// A case of any kind that fails by its tree alone loses its whole tape.
     #[test]
     fn every_field_becomes_its_default() {
         for kind in Kind::ALL {

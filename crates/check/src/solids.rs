@@ -1,4 +1,4 @@
-//! Solids of which integer arithmetic knows the inside: tetrahedra that overlap, touch and repeat, with T-junctions.
+//! Solids whose interior is determined in integers: tetrahedra that overlap, touch and repeat, with T-junctions.
 
 use std::fmt::Debug;
 
@@ -13,13 +13,13 @@ use crate::trees::nearest;
 /// A point of a grid.
 type Point = [i64; 3];
 
-/// Some tetrahedra, some points, and where their grid lies.
+/// Some tetrahedra and points, with the scale and offset of their grid.
 #[derive(Clone, Debug)]
 pub struct Solids {
     tetrahedra: Vec<[Point; 4]>,
     faces: Vec<[Point; 3]>,
     points: Vec<Point>,
-    /// Coordinates of the grid are multiples of two to this power.
+    /// Coordinates are multiples of two to this power.
     exponent: i32,
     /// Added to all coordinates, in multiples of 4096.
     shift: i64,
@@ -28,42 +28,42 @@ pub struct Solids {
 /// A wrong answer about a solid.
 #[derive(Debug, thiserror::Error)]
 pub enum SolidFault {
-    /// The numbers are no mesh.
+    /// The coordinates are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// There is no hierarchy.
+    /// The hierarchy cannot be built.
     #[error(transparent)]
     Build(#[from] WideError),
-    /// The solid is refused.
+    /// The library rejects the solid.
     #[error(transparent)]
     Refused(#[from] SolidError),
-    /// A point is refused.
+    /// The library rejects a point.
     #[error(transparent)]
     Point(#[from] RayError),
-    /// An answer is not that of integers.
+    /// An answer differs from integer arithmetic.
     #[error("{what} of {point:?}: found {found}, expected {expected}")]
     Answer {
-        /// The question.
+        /// The name of the query.
         what: &'static str,
         /// The point, on the grid.
         point: Point,
         /// The answer.
         found: String,
-        /// The right one.
+        /// The right answer.
         expected: String,
     },
 }
 
-/// Corners lie on multiples of this, so that middles of edges are on the grid.
+/// Corners lie on multiples of this, so midpoints of edges are on the grid.
 const STEP: i64 = 4;
 
 impl Solids {
-    /// Draws up to `most` tetrahedra, at least one of them with a volume, and as many points.
+    /// Draws up to `most` tetrahedra and an equal number of points. At least one tetrahedron has a volume.
     pub fn draw(source: &mut impl Source, most: u64) -> Self {
         let mut tetrahedra: Vec<[Point; 4]> = Vec::new();
         for _ in 0..=source.below(most) {
             let corners = match tetrahedra.last() {
-                // A corner, an edge, a face or all of the one before.
+                // Repeats a corner, an edge, a face or all of the previous one.
                 Some(&last) if source.coin() => {
                     let kept = source.below(5) as usize;
                     [0, 1, 2, 3].map(|i| if i < kept { last[i] } else { corner(source) })
@@ -83,7 +83,7 @@ impl Solids {
                 let [a, b, c] = face.map(|corner| *corner);
                 match source.below(4) {
                     0 => {
-                        // A T-junction, unless the other face is cut there too.
+                        // A T-junction, unless the other face is also split there.
                         let middle = [0, 1, 2].map(|axis| i64::midpoint(a[axis], b[axis]));
                         faces.extend([[a, middle, c], [middle, b, c]]);
                     }
@@ -97,9 +97,8 @@ impl Solids {
         Self { tetrahedra, faces, points, exponent, shift: [0, 0, 1, -3][source.below(4) as usize] }
     }
 
-    /// Checks all rules, the winding number and the signed distance in a precision. Returns how many points are inside,
-    /// on the surface and outside, by parity.
-    /// `[CLOSED-1]` `[CLOSED-2]` `[WINDING-1]` `[NEAR-1]`
+    /// Checks all rules, the winding number and the signed distance in a precision. Returns the numbers of points
+    /// inside, on the surface and outside, by parity. `[CLOSED-1]` `[CLOSED-2]` `[WINDING-1]` `[NEAR-1]`
     ///
     /// # Errors
     /// The first [`SolidFault`].
@@ -151,7 +150,7 @@ impl Solids {
         Mesh::new(vertices, triangles.collect())
     }
 
-    /// A point of the grid in space: few enough bits that no number is rounded.
+    /// Converts a grid point to space. Its few bits need no rounding.
     fn place<V: Precision>(&self, point: Point) -> V {
         let scale = f64::from(self.exponent).exp2();
         V::from_components(point.map(|x| V::Real::rounded((x + 4096 * self.shift) as f64 * scale)))
@@ -173,13 +172,13 @@ impl Solids {
     }
 }
 
-/// The tetrahedra around a point.
+/// The position of a point relative to all tetrahedra.
 struct Around {
-    /// How many contain it inside.
+    /// Number of tetrahedra that contain the point in their interior.
     covering: u32,
-    /// How often they wind around it.
+    /// The winding number.
     number: i32,
-    /// Whether it is on the surface of one.
+    /// Whether the point is on the surface of a tetrahedron.
     is_on_surface: bool,
 }
 
@@ -195,17 +194,17 @@ fn corner(source: &mut impl Source) -> Point {
     [(); 3].map(|()| STEP * (source.below(9) as i64 - 4))
 }
 
-/// A point of the grid, often inside, on a face, on the line of an edge, or at a corner.
+/// Draws a grid point, often in the interior, on a face, on the line of an edge, or at a corner.
 fn point(source: &mut impl Source, tetrahedra: &[[Point; 4]], faces: &[[Point; 3]]) -> Point {
     let [a, b, c] = faces[source.below(faces.len() as u64) as usize];
     let along = |a: Point, b: Point, parts: i64| [0, 1, 2].map(|axis| a[axis] + parts * (b[axis] - a[axis]) / STEP);
     match source.below(6) {
         0 => a,
-        // On the line of an edge, also beyond its ends.
+        // On the line of an edge, possibly beyond its ends.
         1 => along(a, b, source.below(9) as i64 - 2),
         // In the plane of a face.
         2 => along(along(a, b, source.below(5) as i64), c, [0, 2, 4][source.below(3) as usize]),
-        // About the middle of a tetrahedron.
+        // Close to the middle of a tetrahedron.
         3 | 4 => {
             let corners = tetrahedra[source.below(tetrahedra.len() as u64) as usize];
             [0, 1, 2].map(|axis| corners.iter().map(|p| p[axis]).sum::<i64>() / 4 + source.below(3) as i64)
@@ -214,14 +213,14 @@ fn point(source: &mut impl Source, tetrahedra: &[[Point; 4]], faces: &[[Point; 3
     }
 }
 
-/// Six times the volume of a tetrahedron; positive if its faces are counterclockwise from outside.
+/// Returns six times the volume of a tetrahedron; positive if its faces are counterclockwise from outside.
 fn volume([a, b, c, d]: &[Point; 4]) -> i64 {
     let [u, v, w] = [b, c, d].map(|p| [0, 1, 2].map(|axis| p[axis] - a[axis]));
     let minor = |i: usize, j: usize| v[i] * w[j] - v[j] * w[i];
     u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1)
 }
 
-/// Where a point is, by the volumes that it has with the faces.
+/// Locates a point by the volumes that it spans with the faces.
 fn side(corners: &[Point; 4], point: Point) -> Location {
     let sign = volume(corners).signum();
     let sides = [0, 1, 2, 3].map(|i| {

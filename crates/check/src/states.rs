@@ -1,4 +1,4 @@
-//! The property body of states from elsewhere: what is accepted can be followed.
+//! The property body of untrusted states: every accepted state can be resumed.
 
 use super::pauses::{GoOn, PauseFault, Pauses, Start, Way, methods};
 use stackless_bvh::event::Trace;
@@ -7,11 +7,11 @@ use stackless_bvh::traverse::{Method, Paused, Test};
 use stackless_bvh::tree::Topology;
 
 impl Pauses<'_> {
-    /// Reads bytes as a state of the case's tree. Whatever they are, a state that is accepted is these bytes, and every
-    /// traversal that takes it up visits what the oracle visits below the node and below all nodes that are postponed.
-    /// Those with a second trail, which may be made up, visit no node twice. `[PAUSE-6]`
+    /// Reads bytes as a state of the case's tree, and resumes it with every traversal. An accepted state encodes to
+    /// these bytes again. Every traversal that resumes it visits the oracle's visits below the node and below all
+    /// postponed nodes. Traversals with a second trail, which may be forged, visit no node twice. `[PAUSE-6]`
     ///
-    /// Returns how many traversals have taken it up; `None` if it was refused.
+    /// Returns the number of traversals that resumed the state, or `None` if it was rejected.
     ///
     /// # Errors
     /// The first fault.
@@ -28,12 +28,12 @@ impl Pauses<'_> {
         Ok(Some(followed))
     }
 
-    /// Whether a traversal takes a state up.
+    /// Returns whether a traversal resumes a state.
     fn follow_by<W: KeyWord>(&self, method: Method, paused: &Paused<W>) -> Result<bool, String> {
         let tree = &self.case.tree;
         let (mut trace, mut search) = (Trace::default(), self.search());
         let go_on = GoOn { from: Start::State(paused.clone()), search: &mut search, trace: &mut trace };
-        // One that is too deep for the word, or that needs what the state does not have.
+        // The state is too deep for the word, or lacks what the traversal needs.
         if !matches!(self.tables.with_cursor::<W, _>(method, go_on), Ok(Ok(()))) {
             return Ok(false);
         }

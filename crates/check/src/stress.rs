@@ -1,4 +1,4 @@
-//! Hard rays through every traversal, at any accuracy, against rational arithmetic.
+//! Checks of difficult rays through every traversal, with any tests, against rational arithmetic.
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
@@ -15,35 +15,34 @@ use stackless_bvh::traverse::{Method, Tables, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
 use stackless_bvh::wide;
 
-/// How often tests went wrong, in numbers of rays: a ray counts once if any traversal errs with it. `[CONF-2]`
+/// Counts of rays with wrong answers. A ray counts once if any traversal answers it wrongly. `[CONF-2]`
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Errors {
     /// Rays.
     pub rays: u64,
-    /// Something is hit, but was not, by the closest-hit or the any-hit query.
+    /// Rays that hit, but the closest-hit or the any-hit query missed.
     pub false_misses: u64,
-    /// Nothing is hit, but was.
+    /// Rays that miss, but a query hit.
     pub false_hits: u64,
-    /// Another triangle is the closest.
+    /// Rays whose reported closest triangle is wrong.
     pub wrong_primitives: u64,
-    /// The greatest distance of a reported `t` from the nearest float to the exact one, in floats between them; where
-    /// the triangle is right.
+    /// The greatest error of a reported `t` with the right triangle, in ulps from the correctly rounded distance.
     pub max_ulp: u32,
 }
 
 impl Errors {
-    /// Whether every answer was right to the last bit.
+    /// Returns whether every answer was right to the last bit.
     pub fn is_none(&self) -> bool {
         Self { rays: 0, ..*self } == Self::default()
     }
 }
 
-/// A case with its true answers and its hierarchies.
+/// A case with its exact answers and its hierarchies.
 #[derive(Debug)]
 pub struct Stress<'c> {
     case: &'c StressCase,
     truth: Vec<Option<Hit>>,
-    /// By surface area, complete, and with triangles in parts that have been moved about.
+    /// A hierarchy by surface area, a complete one, and one with permuted triangle parts.
     trees: [Bvh; 3],
 }
 
@@ -51,7 +50,7 @@ impl<'c> Stress<'c> {
     /// Prepares a case.
     ///
     /// # Errors
-    /// Those of building; the cases of [`stress`](stackless_bvh::generate::stress) have none.
+    /// The errors of building. The cases of [`stress`](stackless_bvh::generate::stress) have none.
     pub fn new(case: &'c StressCase) -> Result<Self, BuildError> {
         let truth = Truth::new(&case.mesh);
         let truth = case.rays.iter().map(|ray| truth.closest(ray).map(|hit| hit.rounded())).collect();
@@ -61,25 +60,25 @@ impl<'c> Stress<'c> {
         Ok(Self { case, truth, trees })
     }
 
-    /// What the rays truly hit.
+    /// Returns the exact hits of the rays.
     pub fn truth(&self) -> &[Option<Hit>] {
         &self.truth
     }
 
-    /// Traces all rays by all of `methods`, closest hit and any hit, through a tree by surface area, a complete one,
-    /// and one with triangles in parts.
+    /// Traces all rays with all of `methods`, for the closest hit and any hit, through a hierarchy by surface area, a
+    /// complete one, and one with triangles in parts.
     ///
     /// # Errors
-    /// A traversal that does not run at all.
+    /// A traversal that supports none of the hierarchies.
     pub fn run(&self, tests: (KernelName, SlabsName), methods: &[Method]) -> Result<Errors, Unsupported> {
         with_tests(tests, Run { stress: self, methods })
     }
 
-    /// The same rays in double precision, where they are and with the scene moved far away: exact. Each counts in both
-    /// places.
+    /// Traces the rays in double precision with exact tests, in place and with the scene translated far away. Each ray
+    /// counts twice.
     ///
     /// # Errors
-    /// What could not be made, in words.
+    /// A description of the object that could not be built.
     pub fn run_double(&self, methods: &[Method]) -> Result<Errors, String> {
         let places = [DVec3::ZERO, DVec3::new(6.4e6, -6.4e6, 6.4e6)].map(|by| moved(self.case, by));
         let places = places.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -116,11 +115,11 @@ impl<'c> Stress<'c> {
         Ok(found.errors())
     }
 
-    /// The same by traversals of wide trees, with all instructions of this machine, one ray at a time and two in turns:
-    /// exact.
+    /// Traces the rays with traversals of wide trees and exact tests, with all instruction sets of this machine, one
+    /// ray at a time and two interleaved.
     ///
     /// # Errors
-    /// What could not be made, in words.
+    /// A description of the object that could not be built.
     pub fn run_wide(&self, methods: &[wide::Method]) -> Result<Errors, String> {
         let (rays, mut found) = (&self.case.rays, Findings::new(&self.truth, floats_between));
         for tree in &self.trees {
@@ -147,12 +146,12 @@ struct Run<'a> {
     methods: &'a [Method],
 }
 
-/// What goes wrong with each ray.
+/// Faults found for each ray.
 struct Findings<'t, R> {
     truth: &'t [Option<Hit<R>>],
     wrong: Vec<Wrong>,
     max_ulp: u32,
-    /// How far two distances are apart.
+    /// Returns the distance between two floats.
     between: fn(R, R) -> u32,
 }
 
@@ -208,7 +207,7 @@ impl WithTests for Run<'_> {
                 for (i, ray) in case.rays.iter().enumerate() {
                     let mut any = NodeSearch::<K, B, true>::new(&bvh, &boxes, ray);
                     let mut closest = NodeSearch::<K, B, false>::new(&bvh, &boxes, ray);
-                    // The first hit ends an any-hit query: there is nothing left to be pruned.
+                    // The first hit ends an any-hit query, so pruning does not apply.
                     let queries: [(&mut dyn Query, Method); 2] =
                         [(&mut any, method.without_pruning()), (&mut closest, method)];
                     for (query, method) in queries {
@@ -222,7 +221,7 @@ impl WithTests for Run<'_> {
     }
 }
 
-/// A case in double precision, moved.
+/// Translates a case and converts it to double precision.
 fn moved(case: &StressCase, by: DVec3) -> Result<(Mesh<DVec3>, Vec<Ray<DVec3>>), String> {
     let place = |v: Vec3| v.as_dvec3() + by;
     let vertices = case.mesh.vertices().iter().copied().map(place).collect();
@@ -234,7 +233,7 @@ fn moved(case: &StressCase, by: DVec3) -> Result<(Mesh<DVec3>, Vec<Ray<DVec3>>),
     Ok((mesh, case.rays.iter().map(ray).collect::<Result<_, _>>()?))
 }
 
-/// Steps from one float to the other; those of zero are one.
+/// Counts the steps from one float to the other. Both zeros count as one float.
 pub fn floats_between(a: f32, b: f32) -> u32 {
     let place = |x: f32| {
         let magnitude = (x.to_bits() & 0x7fff_ffff) as i32;
@@ -243,7 +242,7 @@ pub fn floats_between(a: f32, b: f32) -> u32 {
     place(a).abs_diff(place(b))
 }
 
-/// The same of doubles; of more than a `u32` holds, its greatest number.
+/// Counts the steps between doubles, saturating at the maximum of `u32`.
 fn doubles_between(a: f64, b: f64) -> u32 {
     let place = |x: f64| {
         let magnitude = x.abs().to_bits() as i64;

@@ -6,19 +6,19 @@ use stackless_bvh::hash::{
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 
-/// What is wrong with a perfect hash.
+/// A fault of a perfect hash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TableFault {
     /// It cannot be built.
     #[error("it cannot be built: {0}")]
     Build(BuildError),
-    /// It is not certified.
+    /// The certificate fails.
     #[error("it is not certified: {0}")]
     Certificate(CertificateError),
-    /// Many threads build another one than a single thread.
+    /// Many threads build another table than a single thread.
     #[error("many threads build another table")]
     Parallel,
-    /// The printed function is right for this tree, and the table does not have it; or it has it, and is not.
+    /// The printed function is right for this tree, but the table lacks it; or the table has it, and it is wrong.
     #[error("the remedy is where it is not needed, or missing")]
     Remedy,
     /// A key does not lead to its node.
@@ -26,22 +26,22 @@ pub enum TableFault {
     Lookup {
         /// The node.
         node: Node,
-        /// What was found.
+        /// The address found.
         found: Option<Node>,
     },
-    /// A key leads to what is no node of the tree.
+    /// A key leads to an address that is no node of the tree.
     #[error("a key leads to {0:?}, which the tree does not have")]
     Stray(Node),
-    /// Its own bytes are refused.
+    /// The table's own bytes are rejected.
     #[error("its own bytes are refused: {0}")]
     Bytes(TableError),
-    /// It is another table than its bytes, or the other way round.
+    /// Encoding and decoding changes the table or its bytes.
     #[error("bytes and table differ")]
     Changed,
 }
 
-/// Builds a table by one thread, by many and without the remedy, certifies it, writes it, reads it back, and looks up
-/// every key in every word that carries it. `[HASH-9]`
+/// Builds a table with one thread, with many, and without the remedy. Certifies it, encodes and decodes it, and looks
+/// up every key with every word that can represent it. `[HASH-9]`
 ///
 /// # Errors
 /// The first fault.
@@ -66,10 +66,10 @@ pub fn check_table(tree: &Tree, keys: &Keys, options: Options) -> Result<Perfect
     Ok(hash)
 }
 
-/// Reads bytes as a table of a tree. Whatever they are, a table that is accepted is these bytes, every lookup in it
-/// answers with a node of the tree or with none, and if it is certified, all its keys lead to their nodes. `[HASH-9]`
+/// Reads arbitrary bytes as a table of a tree. An accepted table encodes to these bytes again, and every lookup returns
+/// a node of the tree or none. In a certified table all keys lead to their nodes. `[HASH-9]`
 ///
-/// Returns whether it is certified; `None` if it was refused.
+/// Returns whether the table is certified, or `None` if it was rejected.
 ///
 /// # Errors
 /// The first fault.
@@ -93,9 +93,9 @@ pub fn check_table_bytes(bytes: &[u8], tree: &Tree, keys: &Keys) -> Result<Optio
     Ok(Some(is_certified))
 }
 
-/// Looks up every key of a set in every word that carries it.
+/// Looks up every key of a set with every word that can represent it.
 fn find_all(hash: &PerfectHash, tree: &Tree, keys: &Keys, key_set: KeySet) -> Result<(), TableFault> {
-    // Whole keys are as long as the tree is deep: asking for all of them is quadratic.
+    // The lengths of whole keys are the depths of their nodes, so looking up all of them takes quadratic time.
     if tree.depth() > 1000 {
         return Ok(());
     }

@@ -3,16 +3,16 @@
 use super::Verdict;
 use stackless_bvh::traverse::{Method, Unsupported, WordName};
 
-/// What was counted for one traversal in one word.
+/// Counts for one traversal with one word.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Cases that were run.
     pub cases: u64,
-    /// Cases in which it did what its oracle did.
+    /// Cases in which the traversal agreed with its oracle.
     pub agree: u64,
-    /// Cases that it refused before the first step.
+    /// Cases that the traversal refused before the first step.
     pub refused: u64,
-    /// A reason to refuse one: the last by its text, so that it does not depend on the order of the cases.
+    /// A reason for a refusal: the last in the order of the texts, so it does not depend on the order of cases.
     pub refusal: Option<Unsupported>,
     /// Visits, restarts included.
     pub steps: u64,
@@ -22,13 +22,13 @@ pub struct Count {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     counts: [[Count; WordName::ALL.len()]; Method::ALL.len()],
-    /// The texts of the refusals: they are what is compared.
+    /// The texts of the refusals, which determine their order.
     texts: [[String; WordName::ALL.len()]; Method::ALL.len()],
-    /// Depth of the deepest tree that was checked, in edges.
+    /// Depth of the deepest checked tree, in edges.
     pub depth: u32,
-    /// Searches for which the oracle itself differs from the test of all triangles.
+    /// Searches whose oracle differs from the test of all triangles.
     pub oracle_faults: u64,
-    /// Lookups in a scene's perfect hash that did not find the node with the key.
+    /// Lookups in a scene's perfect hash that did not find the node of the key.
     pub misses: u64,
 }
 
@@ -45,7 +45,7 @@ impl Tally {
             }
             Verdict::Refused(unfit) => {
                 count.refused += 1;
-                // Nearly all are the same.
+                // Refusals are nearly always equal.
                 if count.refusal != Some(*unfit) {
                     count.note(text, *unfit, unfit.to_string());
                 }
@@ -74,27 +74,26 @@ impl Tally {
         self
     }
 
-    /// The counts of one traversal in one word.
+    /// Returns the counts of one traversal with one word.
     pub fn get(&self, method: Method, word: WordName) -> Count {
         self.counts[method as usize][word as usize]
     }
 
-    /// Number of cases in which a traversal differed from its oracle, or the oracle from the truth, and of lookups that
-    /// went wrong.
+    /// Counts disagreements: of a traversal with its oracle, of an oracle with the exact answer, and wrong lookups.
     pub fn disagreements(&self) -> u64 {
         self.misses
             + self.oracle_faults
             + self.counts.iter().flatten().map(|count| count.cases - count.agree).sum::<u64>()
     }
 
-    /// Number of comparisons made.
+    /// Counts comparisons.
     pub fn comparisons(&self) -> u64 {
         self.counts.iter().flatten().map(|count| count.cases).sum()
     }
 }
 
 impl Count {
-    /// Keeps the last of the reasons by its text, and that.
+    /// Stores a refusal and its text, if the text comes later in order.
     fn note(&mut self, text: &mut String, refusal: Unsupported, its_text: String) {
         if self.refusal.is_none() || *text < its_text {
             (self.refusal, *text) = (Some(refusal), its_text);

@@ -1,4 +1,4 @@
-//! The property bodies of hierarchies: sound, of their mesh, and right about rays and points.
+//! The property bodies of hierarchies: valid, of their mesh, and with right answers for rays and points.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -19,55 +19,55 @@ use stackless_bvh::tree::Topology;
 
 use crate::kernels::{GeometryFault, check_point};
 
-/// What is wrong with a hierarchy.
+/// A fault of a hierarchy.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TreeFault {
-    /// It is not sound, or not that of the mesh.
+    /// The hierarchy is invalid, or is not of the mesh.
     #[error("it is not sound: {0}")]
     Unsound(#[from] BvhError),
-    /// The wide tree of it is not sound, or not that of the mesh.
+    /// Its wide tree is invalid, or is not of the mesh.
     #[error("the wide tree of it is not sound: {0}")]
     UnsoundWide(#[from] WideBvhError),
-    /// There is no wide tree of it.
+    /// The wide tree cannot be built.
     #[error(transparent)]
     Wide(#[from] WideError),
-    /// Its triangles are not a mesh.
+    /// Its triangles are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// It cannot be traversed.
     #[error("it cannot be traversed: {0}")]
     Unsupported(Unsupported),
-    /// A ray is answered otherwise than by rational arithmetic.
+    /// The answer to a ray differs from rational arithmetic.
     #[error("{what} of ray {ray}: {found}, expected {expected}")]
     Ray {
-        /// What was asked.
+        /// The name of the query.
         what: &'static str,
-        /// Which ray.
+        /// Index of the ray.
         ray: usize,
-        /// The answer that is right.
+        /// The right answer.
         expected: String,
-        /// The answer that was given.
+        /// The answer found.
         found: String,
     },
-    /// The numbers are not a point and a radius.
+    /// The input is not a valid point and radius.
     #[error(transparent)]
     Point(#[from] BallError),
-    /// Other triangles are nearest.
+    /// The nearest triangles differ.
     #[error("nearest (distance, triangle): {found:?}, expected {expected:?}")]
     Nearest {
-        /// Distances and triangles that are right.
+        /// The right distances and triangles.
         expected: Vec<(f64, u32)>,
-        /// Those that were found.
+        /// The distances and triangles found.
         found: Vec<(f64, u32)>,
     },
-    /// The nearest point of a triangle is another.
+    /// The nearest point of a triangle differs.
     #[error(transparent)]
     Place(#[from] GeometryFault),
 }
 
-/// Checks that two hierarchies are sound and those of the mesh, and that by `hashed` in the binary one and in the wide one the
-/// closest hit, any hit and all hits of each ray are those of rational arithmetic, in every bit, also of filtered tracers.
-/// `[DET-1]` `[FILTER-1]`
+/// Checks two hierarchies, a binary and a wide one: both must be valid and of the mesh. Traces each ray with `hashed`
+/// in the binary one, and in the wide one. The closest hit, any hit and all hits must equal rational arithmetic in
+/// every bit, also in filtered tracers. `[DET-1]` `[FILTER-1]`
 ///
 /// Returns the number of rays that hit.
 ///
@@ -85,7 +85,7 @@ pub fn check_trees<V: Precision>(
     check_rays(bvh, wide, mesh, &prims, rays)
 }
 
-/// The same for a hierarchy of unknown origin, whose triangles are taken for the mesh. `[FILE-5]`
+/// Checks a hierarchy of unknown origin like [`check_trees`]. Its own triangles are the mesh. `[FILE-5]`
 ///
 /// Returns the number of rays that hit.
 ///
@@ -98,7 +98,7 @@ pub fn check_held<V: Precision>(bvh: &Bvh<Triangle<V>>, rays: &[Ray<V>]) -> Resu
     check_rays(bvh, &WideBvh::of(bvh)?, &mesh, &held.into_keys().collect::<Vec<_>>(), rays)
 }
 
-/// Rays against the truth of a mesh, whose triangles have these numbers in the hierarchy.
+/// Checks rays against the exact answers for a mesh whose triangles have these indices in the hierarchy.
 fn check_rays<V: Precision>(
     bvh: &Bvh<Triangle<V>>,
     wide: &WideBvh<8, V>,
@@ -150,7 +150,7 @@ fn check_rays<V: Precision>(
     Ok(hits)
 }
 
-/// Checks the accepted hits of a ray, for filters that depend on its number. `[FILTER-1]`
+/// Checks the accepted hits of a ray, with filters that depend on its number. `[FILTER-1]`
 fn check_filtered<V: Vector>(
     tracer: &impl Filterable<V>,
     ray: &Ray<V>,
@@ -184,8 +184,8 @@ fn check_filtered<V: Vector>(
     Ok(())
 }
 
-/// Checks that the `k` triangles nearest to a point are those of rational arithmetic, with the points of each that are
-/// nearest, and the nearest one the first of them. `[NEAR-2]` `[NEAR-3]`
+/// Checks that the `k` triangles nearest to a point equal those of rational arithmetic, with their nearest points, and
+/// that the nearest triangle is the first of them. `[NEAR-2]` `[NEAR-3]`
 ///
 /// # Errors
 /// [`TreeFault::Nearest`], [`TreeFault::Place`], [`TreeFault::Point`], [`TreeFault::Unsupported`].
@@ -221,11 +221,12 @@ pub fn check_nearest<V: Precision>(
     Ok(())
 }
 
-/// The first `k` triangles within a radius, by (distance, rounded; index), in exact arithmetic on all that can be among
-/// them.
+/// Returns the first `k` triangles within a radius, by (rounded distance, index). Exact arithmetic decides among all
+/// candidates.
 pub fn nearest<V: Vector>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) -> Vec<(f64, u32)> {
     let (p, radius): (_, f64) = (point.widen(), radius.into());
-    // The distance is at least a component of that of the box, and at most the sum of those of the nearest corner.
+    // The distance is at least each component of the distance to the box, and at most the sum of the components to the
+    // nearest corner.
     let bounds = |prim: usize| {
         let corners = Triangle(mesh.triangle(prim)).widen();
         let [lo, hi] = [corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2])];
@@ -238,13 +239,13 @@ pub fn nearest<V: Vector>(mesh: &Mesh<V>, point: V, radius: V::Real, k: usize) -
     let mut most: Vec<f64> = all.iter().map(|&(_, (_, most))| most).collect();
     most.sort_by(f64::total_cmp);
     let most = k.checked_sub(1).map_or(f64::NEG_INFINITY, |last| most.get(last).copied().unwrap_or(f64::INFINITY));
-    // What is nearer than the least float may round to it, or to 0.
+    // Distances below the least float may round to it, or to 0.
     let candidates =
         all.into_iter().filter(|&(_, (least, _))| least <= most.max(f32::MIN_POSITIVE.into()) && least <= radius);
     let exact = candidates.filter_map(|(prim, _)| {
         let corners = mesh.triangle(prim).map(V::components);
         let square = square_distance(corners, point.components())?;
-        // An infinite radius is no rational number.
+        // An infinite radius is not rational.
         let is_within = RBig::try_from(radius).map_or(radius > 0.0, |radius| square <= &radius * &radius);
         is_within.then(|| (round_root::<V::Real>(&square).into(), prim as u32))
     });
@@ -258,7 +259,7 @@ fn distances<V: Vector>(nears: &[Near<V>]) -> Vec<(f64, u32)> {
     nears.iter().map(|near| (near.distance.into(), near.prim)).collect()
 }
 
-/// Primitive, and distance and weights by their bits.
+/// Triangle, and distance and weights as bits.
 type Bits = (u32, [u64; 3]);
 
 fn bits<R: Copy + Into<f64>>(hit: &Hit<R>) -> Bits {

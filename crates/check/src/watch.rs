@@ -1,4 +1,4 @@
-//! Looks at a traversal's state at every visit.
+//! Checks a traversal's state at every visit.
 
 use std::fmt;
 
@@ -8,90 +8,90 @@ use stackless_bvh::order::{Descent, Flow};
 use stackless_bvh::trail::levels;
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
-/// How a traversal differs from its oracle.
+/// Differences between a traversal and its oracle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// A visit goes to another node than the oracle's.
+    /// A visit goes to another node than the oracle's visit.
     Node {
         /// Number of the visit, from 0.
         visit: usize,
-        /// Where the oracle goes; `None` if it has ended.
+        /// The oracle's node; `None` if the oracle has ended.
         expected: Option<Node>,
-        /// Where the traversal goes.
+        /// The traversal's node.
         found: Node,
     },
-    /// It ended before the oracle did.
+    /// The traversal ends before the oracle.
     Early {
-        /// Number of visits that were made.
+        /// Number of visits made.
         visits: usize,
-        /// Number of visits that the oracle makes.
+        /// Number of the oracle's visits.
         expected: usize,
     },
-    /// It calls a visit a restart where it has not been before.
+    /// The traversal reports a restart at a node that it has not visited.
     Restart {
         /// Number of the visit.
         visit: usize,
         /// The node.
         node: Node,
     },
-    /// Its key is not the key of the node that it addresses.
+    /// The key is not the key of the addressed node.
     Key {
         /// Number of the visit.
         visit: usize,
         /// The node.
         node: Node,
     },
-    /// The search decided otherwise.
+    /// The search decides differently.
     Decision {
         /// Number of the visit.
         visit: usize,
-        /// What the oracle was told; `None` at a leaf.
+        /// The decision in the oracle; `None` at a leaf.
         expected: Option<Descent>,
-        /// What the traversal was told.
+        /// The decision in the traversal.
         found: Option<Descent>,
     },
-    /// Its trail has bits at or above the depth of the node, or its counter does not start at the node's level; or,
-    /// where it is known what is postponed, they do not name just that.
+    /// The trail has bits at or above the depth of the node, or the counter does not start at the node's level. Or, if
+    /// the postponed nodes are known, trail or counter do not describe exactly those nodes.
     Trail {
         /// Number of the visit.
         visit: usize,
         /// The node.
         node: Node,
     },
-    /// Its register does not address the node that comes next.
+    /// The register does not address the next node.
     Register {
         /// Number of the visit.
         visit: usize,
-        /// What the register holds.
+        /// The address in the register.
         found: Node,
     },
-    /// Its table did not have a key that it looked up, or had another node for it.
+    /// The table lacks a key that was looked up, or has another node for it.
     Miss {
         /// Number of such lookups.
         lookups: usize,
     },
-    /// Its oracle, which leaves nodes out, visits one that the plain oracle does not.
+    /// The pruning oracle visits a node that the plain oracle does not visit.
     Unpruned {
         /// The node.
         node: Node,
     },
-    /// It makes more visits than any tree of this size needs.
+    /// The traversal makes more visits than any tree of this size needs.
     Endless {
         /// Number of visits.
         visits: u64,
     },
-    /// It found another hit.
+    /// The hit differs.
     Hit {
         /// Distance and slot of the oracle's hit.
         expected: Option<(u32, usize)>,
         /// Distance and slot of the traversal's.
         found: Option<(u32, usize)>,
     },
-    /// It visited the same nodes, and asked the visitor another number of times.
+    /// The nodes are equal, but the number of calls of the visitor differs.
     Visits {
         /// Inner visits and leaf visits of the oracle.
         expected: (u64, u64),
-        /// Those of the traversal.
+        /// Inner visits and leaf visits of the traversal.
         found: (u64, u64),
     },
 }
@@ -132,30 +132,30 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// A visit of an oracle, with all that is known of it.
+/// A visit of an oracle, with all data known about it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Visit {
     /// The node.
     pub node: Node,
-    /// What the search decides at an inner node.
+    /// The decision of the search at an inner node.
     pub descent: Option<Descent>,
-    /// The postponed nodes, the last one of which comes next.
+    /// The postponed nodes. The last one is visited next.
     pub postponed: Vec<Node>,
 }
 
-/// What visits are compared with.
+/// The reference for comparing visits.
 #[derive(Clone, Copy, Debug)]
 pub enum Expected<'a> {
-    /// Nothing: only what must hold of every state is looked at.
+    /// None: only invariants of every state are checked.
     Nothing,
     /// The nodes of the oracle's visits.
     Nodes(&'a [Node]),
-    /// The oracle's visits: decisions, trails and registers have to be theirs. `[TRAIL-1]` `[TRAIL-6]` `[REGISTER-1]`
+    /// The oracle's visits, with decisions, trails and registers. `[TRAIL-1]` `[TRAIL-6]` `[REGISTER-1]`
     Visits(&'a [Visit]),
 }
 
 impl<'a> Expected<'a> {
-    /// Number of visits, where they are known.
+    /// Returns the number of visits, if known.
     fn count(self) -> Option<usize> {
         match self {
             Self::Nothing => None,
@@ -169,9 +169,9 @@ impl<'a> Expected<'a> {
     }
 }
 
-/// The comparer: holds each visit to the oracle's, and the state to what must be true of it. `[CONF-1]`
+/// Compares each visit with the oracle's, and checks the invariants of the state. `[CONF-1]`
 ///
-/// It records a traversal as it runs, or is shown what was recorded of one.
+/// It records a running traversal, or receives a recorded one.
 #[derive(Debug)]
 pub struct Watch<'a> {
     tree: &'a Tree,
@@ -187,7 +187,7 @@ pub struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Compares at most so many visits; `restarts` says whether nodes may be passed again.
+    /// Compares at most a given number of visits. `restarts` permits repeated visits of a node.
     pub fn new(
         tree: &'a Tree,
         keys: &'a Keys,
@@ -200,12 +200,12 @@ impl<'a> Watch<'a> {
         Self { tree, keys, parents, expected, visits: 0, steps: 0, step_limit, fault: None, seen }
     }
 
-    /// Visits made, restarts included.
+    /// Returns the number of visits, restarts included.
     pub fn steps(&self) -> u64 {
         self.steps
     }
 
-    /// What the search has decided at the visit that was seen last; looked at where the oracle's decisions are known.
+    /// Receives the search's decision at the last visit. Used if the oracle's decisions are known.
     pub fn decided(&mut self, found: Option<Descent>) {
         if let Some(visit) = self.visits.checked_sub(1)
             && let Some(expected) = self.expected.visit(visit).map(|visit| visit.descent)
@@ -215,7 +215,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Number of visits, restarts included.
+    /// Returns the number of visits, restarts included.
     ///
     /// # Errors
     /// The first fault.
@@ -227,7 +227,7 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// It is compiled into each traversal: what its states never have is not asked for.
+    /// Compiled for each traversal, so checks that never apply to its states are removed.
     #[inline(always)]
     fn look<W: KeyWord>(&mut self, state: &State<W>) -> Result<(), Fault> {
         let &State { node, ref key, ref trail, ref counter, ref disjoint, register, is_restarting } = state;
@@ -277,7 +277,8 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Whether the bits of a word, as many as the node is deep, are `one` where the sibling on the way up is postponed.
+    /// Returns whether the lower bits of a word, one per level, equal `one` exactly where the sibling on the path to
+    /// the root is postponed.
     fn names<W: KeyWord>(&self, postponed: &[Node], mut word: W, mut node: Node, one: bool) -> bool {
         while node != self.tree.root() {
             let [parent, sibling] = self.parents.row(self.tree, node);
@@ -289,9 +290,9 @@ impl<'a> Watch<'a> {
         true
     }
 
-    /// Whether `next` is the sibling of the ancestor `levels` above `node`.
+    /// Returns whether `next` is the sibling of the ancestor `levels` above `node`.
     fn comes_next(&self, next: Node, node: Node, levels: u32) -> bool {
-        // A climb that would make the check of a very deep tree quadratic is made at one visit of many.
+        // Checking every long climb would take quadratic time in a very deep tree. One in 512 visits is checked.
         if levels > 1000 && !self.visits.is_multiple_of(512) {
             return true;
         }
@@ -309,7 +310,7 @@ impl Recorder for Watch<'_> {
         }
         let is_endless = self.steps > self.step_limit;
         let looked = if is_endless { Err(Fault::Endless { visits: self.steps }) } else { self.look(&state()) };
-        // Written only where there is one: that is never, and this is called at every visit.
+        // Faults are rare and this runs at every visit, so it writes only in case of a fault.
         if let Err(fault) = looked {
             self.fault = Some(fault);
             return Flow::Stop;

@@ -1,4 +1,4 @@
-//! How many steps backtracking takes (Binder & Keller 2016, Fig. 1).
+//! Counts of backtracking steps (Binder & Keller 2016, Fig. 1).
 
 use std::cell::Cell;
 
@@ -7,12 +7,12 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::{Node, Reach, Recorded, Topology};
 
-/// A tree that tells a closure whose links are read.
+/// A tree that reports each node whose links are read.
 #[derive(Clone, Copy, Debug)]
 pub struct Watched<'t, T, F> {
-    /// The tree, which names links.
+    /// The tree, which has links.
     pub tree: &'t T,
-    /// Gets each node whose links are read.
+    /// Receives each node whose links are read.
     pub watch: F,
 }
 
@@ -41,7 +41,7 @@ impl<T: Topology, F: Fn(Node)> Topology for Watched<'_, T, F> {
     }
 }
 
-/// How many records were read since the last visit, counted by a [`Watched`] tree.
+/// Number of records read since the last visit, counted by a [`Watched`] tree.
 #[derive(Debug, Default)]
 pub struct Reads {
     count: Cell<u64>,
@@ -49,7 +49,7 @@ pub struct Reads {
 }
 
 impl Reads {
-    /// Counts a record, unless it was the last one that was read.
+    /// Counts a record, unless it was also the last one read.
     pub fn count(&self, node: Node) {
         if self.last.replace(Some(node)) != Some(node) {
             self.count.set(self.count.get() + 1);
@@ -62,9 +62,9 @@ impl Reads {
     }
 }
 
-/// Counts backtracks, and the steps that they take: from the record of one node to that of the next. It is one step
-/// where the address comes out of a register, a stack, a table or the node's own record, and one more for each other
-/// record that the traversal climbs along, or passes again on the way down from the root.
+/// Counts backtracks and their steps, from the record of one node to that of the next. A step is counted if the address
+/// comes from a register, a stack, a table or the node's own record. Each further record on a climb, or on the path
+/// down after a restart, counts one more.
 ///
 /// ```
 /// use stackless_bvh::order::{Descent, Flow, Side, Visitor};
@@ -102,17 +102,17 @@ pub struct Steps<'a, T> {
 }
 
 impl<'a, T: Topology> Steps<'a, T> {
-    /// Counts for one traversal of a tree, whose links report to `reads` where it has any.
+    /// Counts for one traversal of a tree. The tree's links, if any, report to `reads`.
     pub fn new(tree: &'a T, reads: &'a Reads) -> Self {
         Self { tree, reads, last: None, backtracks: 0, taken: 0 }
     }
 
-    /// Number of postponed nodes that were visited.
+    /// Returns the number of visited postponed nodes.
     pub fn backtracks(&self) -> u64 {
         self.backtracks
     }
 
-    /// Number of steps that this took.
+    /// Returns the number of steps for all backtracks.
     pub fn steps(&self) -> u64 {
         self.taken
     }
@@ -144,8 +144,8 @@ mod tests {
     use stackless_bvh::traverse::{Afra, HashOnly, Sparse, Stack, Uncle, traverse};
     use stackless_bvh::tree::Linked;
 
-    /// By distance `d` in levels: along parents `d + 1`, along uncles two levels a step unless the register knows, else
-    /// one.
+    /// For a distance of `d` levels, parents need `d + 1` steps. Uncles need one step per two levels, unless the
+    /// register has the address. Other traversals need one step.
     #[test]
     fn steps_are_those_of_the_distances() {
         let mut rng = Rng::new(7);

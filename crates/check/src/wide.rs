@@ -1,4 +1,4 @@
-//! Traversals of wide trees against their oracle.
+//! Checks of wide-tree traversals against their oracle.
 
 use std::fmt;
 
@@ -18,22 +18,22 @@ use stackless_bvh::wide::{
 pub struct WideCase<const A: usize> {
     /// The tree.
     pub tree: Tree<A>,
-    /// What the search answers.
+    /// The answers of the search.
     pub tape: WideTape<A>,
-    /// Whether children come by rank, or leaves first.
+    /// Whether children are ordered by rank instead of leaves first.
     pub is_sorted: bool,
 }
 
-/// A traversal that does not visit what the oracle visits.
+/// A traversal that visits other nodes than the oracle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct WideFault {
     /// The traversal.
     pub traversal: String,
-    /// Number of the visit that differs.
+    /// Number of the first visit that differs.
     pub visit: usize,
-    /// The node that the oracle visits, or `None` after its end.
+    /// The oracle's node, or `None` after its end.
     pub expected: Option<Node>,
-    /// The node that the traversal visits, or `None` after its end.
+    /// The traversal's node, or `None` after its end.
     pub found: Option<Node>,
 }
 
@@ -47,7 +47,7 @@ impl fmt::Display for WideFault {
 impl std::error::Error for WideFault {}
 
 impl<const A: usize> WideCase<A> {
-    /// A case of at most so many leaves, inner nodes with one child, and distances.
+    /// Draws a case with at most these numbers of leaves, of inner nodes with one child, and of distances.
     pub fn draw(source: &mut impl Source, leaves: u32, chain: u32, distances: u32) -> Self {
         let leaves = 1 + source.below(u64::from(leaves)) as u32;
         let chain = source.below(u64::from(chain) + 1) as u32;
@@ -55,7 +55,7 @@ impl<const A: usize> WideCase<A> {
         Self::with_tree(source, tree, distances)
     }
 
-    /// A case over a given tree.
+    /// Draws a case for a given tree.
     pub fn with_tree(source: &mut impl Source, tree: Tree<A>, distances: u32) -> Self {
         let mut tape = WideTape::draw(source, &tree, distances);
         if source.below(4) == 1 {
@@ -67,12 +67,12 @@ impl<const A: usize> WideCase<A> {
         Self { tree, tape, is_sorted: source.below(4) != 1 }
     }
 
-    /// Its search, at the beginning. `SORTED` is [`is_sorted`](Self::is_sorted).
+    /// Returns the search, before its first step. `SORTED` must equal [`is_sorted`](Self::is_sorted).
     pub fn search<const SORTED: bool>(&self) -> WideSearch<'_, A, SORTED> {
         WideSearch::new(&self.tape)
     }
 
-    /// The nodes that the oracle visits.
+    /// Returns the oracle's visits.
     pub fn expected(&self) -> Vec<Node> {
         fn visits<const A: usize, const SORTED: bool>(case: &WideCase<A>) -> Vec<Node> {
             let mut trace = Trace::default();
@@ -82,11 +82,11 @@ impl<const A: usize> WideCase<A> {
         if self.is_sorted { visits::<A, true>(self) } else { visits::<A, false>(self) }
     }
 
-    /// Compares all traversals of the table with the oracle, and every way to keep what is pending with every way to
-    /// an ancestor. Returns the number of comparisons. `[WIDE-7]`
+    /// Compares all traversals of the table with the oracle, and all combinations of storing pending nodes with
+    /// returning to an ancestor. Returns the number of comparisons. `[WIDE-7]`
     ///
     /// # Errors
-    /// The first traversal that differs, or that refuses a tree without reason.
+    /// The first traversal that differs, or that wrongly refuses a tree.
     pub fn check(&self) -> Result<u32, WideFault> {
         let (expected, tables) = (self.expected(), Tables::new(&self.tree));
         let mut count = 0;
@@ -135,10 +135,10 @@ impl<const A: usize> WideCase<A> {
         })
     }
 
-    /// Compares one traversal. `false` if it refuses the tree because of its levels.
+    /// Compares one traversal. Returns `false` if it refuses the tree because of its levels.
     ///
     /// # Errors
-    /// It visits other nodes, or refuses the tree without reason.
+    /// The traversal visits other nodes, or wrongly refuses the tree.
     pub fn compare(
         &self,
         name: &str,
@@ -162,7 +162,7 @@ impl<const A: usize> WideCase<A> {
     }
 }
 
-/// Runs cursors over a case, and notes what they visit.
+/// Runs cursors over a case and records their visits.
 #[derive(Debug)]
 pub struct Watch<'c, const A: usize> {
     case: &'c WideCase<A>,
@@ -171,12 +171,12 @@ pub struct Watch<'c, const A: usize> {
 }
 
 impl<const A: usize> Watch<'_, A> {
-    /// Runs a cursor to its end, twice: the second time it must do the same.
+    /// Runs a cursor to its end, twice: both runs must be equal.
     pub fn run(&mut self, cursor: &mut impl Cursor<A>) {
         self.run_over(&self.case.tree, cursor);
     }
 
-    /// The same, with the leaves that a tree says it has.
+    /// Runs a cursor to its end like [`run`](Self::run), with the leaves of another tree.
     pub fn run_over(&mut self, tree: &impl Topology<A>, cursor: &mut impl Cursor<A>) {
         let (case, most) = (self.case, self.most);
         let once = |cursor: &mut _| {
@@ -192,7 +192,7 @@ impl<const A: usize> Watch<'_, A> {
     }
 }
 
-/// The nodes that a cursor visits, one more than `most` at the most; `None` where it asks for ever.
+/// Returns the nodes that a cursor visits, at most `most + 1`; `None` for an endless loop without visits.
 pub(crate) fn visits<const A: usize>(
     tree: &impl Topology<A>,
     search: &mut impl wide::Search<A>,
@@ -203,7 +203,7 @@ pub(crate) fn visits<const A: usize>(
     if visits.visit::<u64>(cursor.node(), || State::of(cursor.node())) == Flow::Stop {
         return Some(visits.seen);
     }
-    // No node is asked about more often than it has descendants to go to.
+    // No node is queried more often than it has descendants.
     for _ in 0..(most as u64 + 2) * u64::from(tree.levels() + 2) * A as u64 {
         let wanted = search.ask(cursor.node());
         if !wide::advance(tree, cursor, wanted, search, &mut visits) {
@@ -213,8 +213,8 @@ pub(crate) fn visits<const A: usize>(
     None
 }
 
-/// A cursor that goes back along its path must be at the parent of each child that it names. That it has kept the
-/// child's address could hide that it is not. So where it is not, its visits end. `[WIDE-15]`
+/// Checks that a cursor that returns along its path is at the parent of each child that it names. The stored address of
+/// the child could hide a wrong parent, so the visits end at the first one. `[WIDE-15]`
 #[derive(Debug)]
 struct Followed<'c, C>(&'c mut C);
 
@@ -223,7 +223,7 @@ impl<C> Followed<'_, C> {
     where
         C: Cursor<A>,
     {
-        // Of a stack nothing is kept by levels, and a restart does not go back.
+        // A stack stores nothing per level, and a restart does not return along the path.
         let goes_back = matches!(self.0.words(0), Some(StateView::Trail { .. } | StateView::Ranked { .. }));
         let is_at_parent = |child| (0..A as u32).any(|slot| tree.child(self.0.node(), slot) == child);
         match next {

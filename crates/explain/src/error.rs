@@ -1,61 +1,62 @@
-//! What is not put on a page.
+//! Errors of explaining a case.
 
 use super::MOST_NODES;
 use stackless_bvh::hash::BuildError;
 use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::wide;
 
-/// Why a case or a traversal is not put on a page.
+/// Errors that exclude a case or a traversal from a page.
 #[derive(Debug, thiserror::Error)]
 pub enum ExplainError {
-    /// The tree is too large to be drawn.
+    /// The tree is too large to draw.
     #[error("the tree has {nodes} nodes, and a page shows at most {MOST_NODES}")]
     TooLarge {
         /// Number of nodes.
         nodes: usize,
     },
-    /// The tree is too deep to be drawn.
+    /// The tree is too deep to draw.
     #[error("the tree is {depth} edges deep, and a page shows at most {limit}")]
     TooDeep {
         /// Depth in edges.
         depth: u32,
-        /// The greatest depth that is shown.
+        /// The greatest supported depth.
         limit: u32,
     },
-    /// The traversal does not run on this tree.
+    /// The traversal does not support this tree.
     #[error("{method}: {error}")]
     Unsupported {
         /// The traversal.
         method: Method,
-        /// Why.
+        /// The reason.
         error: Unsupported,
     },
-    /// The same of a wide tree.
+    /// The traversal does not support this wide tree.
     #[error("{method}: {error}")]
     UnsupportedWide {
         /// The traversal.
         method: wide::Method,
-        /// Why.
+        /// The reason.
         error: wide::Unsupported,
     },
-    /// The traversal needs ranks that do not become less on the way down.
+    /// The traversal requires ranks that do not decrease on the way down.
     #[error("{method}: on the way down ranks become less, and it may not visit what its oracle visits")]
     Falling {
         /// The traversal.
         method: wide::Method,
     },
-    /// The traversal asks the search again on its way down, and the answers of this one change: there is no one trace.
+    /// The traversal repeats queries on its way down, and the answers of this search change, so the trace is not
+    /// unique.
     #[error("{method}: it asks the search again, and the answers of this one change on the way")]
     Changing {
         /// The traversal.
         method: Method,
     },
-    /// There is no perfect hash.
+    /// The perfect hash cannot be built.
     #[error("{method}: {error}")]
     Table {
         /// The traversal.
         method: Method,
-        /// Why.
+        /// The reason.
         error: BuildError,
     },
     /// The traversal differs from its oracle.
@@ -65,23 +66,23 @@ pub enum ExplainError {
         method: &'static str,
         /// Number of the visit, from 0.
         visit: usize,
-        /// What differs.
+        /// The part that differs.
         what: &'static str,
-        /// What the oracle has.
+        /// The oracle's value.
         expected: String,
-        /// What the traversal has.
+        /// The traversal's value.
         found: String,
     },
-    /// There is nothing to show.
+    /// No traversal is given.
     #[error("no traversal is named")]
     NoMethod,
-    /// The page cannot be written down.
+    /// The page cannot be serialised.
     #[error("{0}")]
     Json(#[from] serde_json::Error),
 }
 
 impl ExplainError {
-    /// Whether other traversals may run.
+    /// Returns whether other traversals may still run.
     pub(super) const fn is_of_method(&self) -> bool {
         matches!(
             self,

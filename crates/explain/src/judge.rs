@@ -1,4 +1,4 @@
-//! A recording beside the oracle's.
+//! Comparison of a recording with the oracle's.
 
 use super::observe::{self, LinkTable, Log, Seen, Word};
 use super::text::binary;
@@ -9,7 +9,7 @@ use stackless_bvh::traverse::{Method, Need};
 use stackless_bvh::tree::{Keys, Node, Parents, Recorded, Topology, Tree};
 use stackless_check::{Case, Expected, Fault, Visit, Watch};
 
-/// What the oracle of a traversal does on a case, and what the tree says of its nodes.
+/// The oracle's run on a case, and lookups of the tree's nodes.
 #[derive(Debug)]
 pub(super) struct Judge<'a> {
     pub(super) tree: &'a Tree,
@@ -17,7 +17,7 @@ pub(super) struct Judge<'a> {
     keys: Keys,
     parents: Parents,
     links: LinkTable,
-    /// `None` if the oracle does not go the way of its decisions.
+    /// `None` if the oracle's visits do not match its decisions.
     expected: Option<Vec<Visit>>,
 }
 
@@ -31,10 +31,10 @@ impl<'a> Judge<'a> {
         Self { tree, method, keys, parents, links, expected }
     }
 
-    /// The oracle's postponed nodes at each visit, restarts included, if every visit is the oracle's and every word
-    /// names just these nodes.
+    /// Returns the oracle's postponed nodes at each visit, restarts included. Every visit must equal the oracle's, and
+    /// every word must describe exactly these nodes.
     ///
-    /// On the way down again the node that comes next is still postponed.
+    /// On the way down after a restart, the next node is still postponed.
     pub(super) fn compare(&self, steps: &[Seen]) -> Result<Vec<Vec<Node>>, ExplainError> {
         let Some(expected) = &self.expected else {
             return Err(self.differs(
@@ -73,7 +73,7 @@ impl<'a> Judge<'a> {
         ExplainError::Differs { method: self.method.name(), visit, what, expected, found }
     }
 
-    /// A fault with the words that differ.
+    /// Adds the differing words to a fault.
     fn told(&self, fault: Fault, expected: &[Visit], steps: &[Seen]) -> ExplainError {
         let states: Vec<_> = steps.iter().map(|seen| &seen.state).filter(|state| !state.is_restarting).collect();
         let word = |visit: usize, word: fn(&State<Word>) -> Option<Word>| {
@@ -115,7 +115,7 @@ impl<'a> Judge<'a> {
         self.differs(visit, what, expected, found)
     }
 
-    /// A visit as it is shown.
+    /// Converts a visit to its form on the page.
     pub(super) fn step(&self, steps: &[Seen], visit: usize, stack: &[Node]) -> Step {
         let (seen, following) = (&steps[visit], steps.get(visit + 1));
         let (state, wanted) = (&seen.state, self.wanted(seen.state.node, seen.descent));
@@ -151,7 +151,7 @@ impl<'a> Judge<'a> {
         self.keys.key(self.tree.slot(node))
     }
 
-    /// The node's key in decimal.
+    /// Returns the node's key in decimal.
     pub(super) fn name(&self, node: Node) -> String {
         self.key(node).to_string()
     }
@@ -160,12 +160,12 @@ impl<'a> Judge<'a> {
         self.keys.key(slot as usize)
     }
 
-    /// The same as [`name`](Self::name), for a slot.
+    /// Returns the [`name`](Self::name) of the node in a slot.
     pub(super) fn name_of(&self, slot: u32) -> String {
         self.key_of(slot).to_string()
     }
 
-    /// The children that a decision wants, the first one first.
+    /// Returns the wanted children, the first one first.
     pub(super) fn wanted(&self, node: Node, descent: Option<Descent>) -> Vec<Node> {
         let Some(descent) = descent.filter(|descent| !descent.is_neither()) else { return Vec::new() };
         let first = descent.first();
@@ -175,7 +175,7 @@ impl<'a> Judge<'a> {
 
     fn next(&self, seen: &Seen, following: &State<Word>, wanted: &[Node]) -> Next {
         let (node, descends) = (following.node, wanted.contains(&following.node));
-        // A climb reads a record more than once.
+        // A climb reads some records more than once.
         let mut way = seen.read.clone();
         way.dedup();
         way.retain(|&read| read != seen.state.node);
@@ -196,7 +196,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Where the address of a postponed node comes from, if not from the perfect hash.
+    /// Returns the source of a postponed node's address, unless it is the perfect hash.
     fn source(&self, seen: &Seen, following: &State<Word>, stayed: bool) -> By {
         match (self.method.wants_recorded(), self.method.needs()) {
             (Recorded::Uncles, _) => {
@@ -217,7 +217,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Trail and counter that name just these postponed nodes.
+    /// Returns the trail and the counter that describe exactly these postponed nodes.
     fn words(&self, mut node: Node, stack: &[Node]) -> (String, String) {
         let mut bits = Vec::new();
         while node != self.tree.root() {
@@ -232,10 +232,10 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The visits of the oracle with the nodes that it keeps in its recursion: a decision postpones the second child, and a
-/// visit that is not of the first child is of the last one of them. `None` if it is not.
+/// Computes the oracle's postponed nodes at each visit. A decision postpones the second child, and a visit is of the
+/// first child or of the last postponed node; otherwise the result is `None`.
 ///
-/// A node is left out, where that is allowed, when a hit comes before it, or when its turn comes.
+/// If pruning is allowed, a node is omitted when a hit comes before it, or when it would be visited.
 fn visits(tree: &Tree, pruning: Pruning, steps: &[Seen]) -> Option<Vec<Visit>> {
     let mut stack: Vec<(Node, bool)> = Vec::new();
     let (mut all, mut entered) = (Vec::with_capacity(steps.len()), Some(tree.root()));

@@ -1,9 +1,9 @@
-//! A traversal step by step, as a page for the browser.
+//! Step-by-step pages of traversals, for browsers.
 //!
-//! [`record`] runs a traversal over a [`Case`] and keeps what can be seen at each visit: the words of its state, the
-//! register, what the record of the node names, what the search decides, and where the next node comes from. It is
-//! observed: links and tables are read through wrappers that take notes. Each recording is compared with the oracle's,
-//! and the nodes that the oracle has postponed stand beside the words that are to say the same. [`page()`] puts
+//! [`record`] runs a traversal over a [`Case`] and stores the observations of each visit: the words of its state, the
+//! register, the links of the node, the decision of the search, and the source of the next node's address. The
+//! traversal itself is unmodified: wrappers of links and tables record their use. Each recording is compared with the
+//! oracle's, and the page shows the oracle's postponed nodes next to the words that encode them. [`page()`] puts
 //! recordings into one HTML file, whose script only draws.
 
 #![forbid(unsafe_code)]
@@ -33,13 +33,13 @@ use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::Case;
 
-/// Most nodes of a tree that is put on a page.
+/// The maximum number of nodes of a tree on a page.
 pub const MOST_NODES: usize = 2000;
 
-/// Deepest tree, in edges, that is put on a page: all traversals carry it in words of 128 bits.
+/// The greatest depth of a tree on a page, in edges. All traversals support it with 128-bit words.
 pub const DEEPEST: u32 = 126;
 
-/// Traversals that a page has if none are named, the one it opens with first.
+/// The default traversals of a page, in their order.
 pub const USUAL: [Method; 9] = [
     Method::Hashed,
     Method::HashOnly,
@@ -57,30 +57,30 @@ pub const USUAL: [Method; 9] = [
 pub struct Recording {
     /// Name of the traversal.
     pub method: &'static str,
-    /// How it works, in a sentence.
+    /// A description in one sentence.
     pub about: &'static str,
     /// The clause that defines it.
     pub clause: &'static str,
     /// Bytes of its state in words of 32 bits.
     pub state_bytes: usize,
-    /// What the record of a node names besides its children; empty if the traversal needs nothing.
+    /// The links in the record of a node, in addition to its children; empty if the traversal needs none.
     pub links: Vec<&'static str>,
-    /// The hash table, where it has one.
+    /// The hash table, if the traversal has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<Table>,
     /// The visits.
     pub steps: Vec<Step>,
 }
 
-/// One visit, and the way to the next. Words are in binary, without leading zeros.
+/// One visit and the step to the next. Words are in binary, without leading zeros.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Step {
     /// The node.
     pub node: u32,
-    /// It has been visited before, and is passed again on the way down from the root.
+    /// The visit is a repetition, on the way down after a restart.
     #[serde(skip_serializing_if = "is_false")]
     pub restart: bool,
-    /// The node's key, where the traversal carries it.
+    /// The node's key, if it is part of the state.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub key: Option<String>,
     /// The trail.
@@ -92,76 +92,76 @@ pub struct Step {
     /// The second trail.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub disjoint: Option<String>,
-    /// Of a wide tree: the pending sets of all levels, where they are kept one by one and are no trail.
+    /// In wide trees: the pending sets of all levels, if they are stored one by one instead of as a trail.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sets: Option<String>,
-    /// Of a wide tree: what else is kept of each level, from the root's on, by name.
+    /// In wide trees: other values stored per level, from the root's on, by name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub rows: Vec<(&'static str, Vec<String>)>,
-    /// What the register holds.
+    /// The node in the register.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub register: Option<u32>,
-    /// What the record of the node names: one for each of [`Recording::links`].
+    /// The linked nodes: one for each of [`Recording::links`].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<Option<u32>>,
-    /// The oracle's postponed nodes; the last one comes next.
+    /// The oracle's postponed nodes. The last one is visited next.
     pub stack: Vec<u32>,
-    /// Those of them that are beyond the end of the search by now, and will not be visited.
+    /// The postponed nodes that are now beyond the end of the search, and will not be visited.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub beyond: Vec<u32>,
-    /// At an inner node, what the search decides.
+    /// The decision of the search, at an inner node.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub decision: Option<String>,
     /// The wanted children, the first one first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub wanted: Vec<u32>,
-    /// Something better than before is found in this leaf.
+    /// The search finds a better hit in this leaf.
     #[serde(skip_serializing_if = "is_false")]
     pub hit: bool,
-    /// Where it goes from here; `None` at the end.
+    /// The step to the next node; `None` at the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub next: Option<Next>,
-    /// What happens here, in words.
+    /// A description of the visit.
     pub text: String,
-    /// The clauses by which it happens.
+    /// The clauses that apply.
     pub clauses: Vec<&'static str>,
 }
 
-/// The way to the next node.
+/// The step to the next node.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Next {
     /// The node.
     pub node: u32,
-    /// Backtracking: how many levels up the ancestor is whose sibling is next.
+    /// For a backtrack: the level of the ancestor whose sibling is next.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub levels: Option<u32>,
-    /// Where its address comes from.
+    /// The source of its address.
     pub by: By,
-    /// The lookup, where a perfect hash was asked.
+    /// The lookup in the perfect hash, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lookup: Option<HashLookup>,
-    /// Nodes whose records were read on the way, this one not counted.
+    /// The other nodes whose records were read during the step.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub way: Vec<u32>,
 }
 
-/// Where the address of the next node comes from.
+/// The source of the next node's address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum By {
-    /// The node's own record names it: a child.
+    /// The node's own record, for a child.
     Child,
-    /// Of a wide tree: the record of the parent, where the traversal still is.
+    /// In wide trees: the record of the parent, where the traversal still is.
     Parent,
-    /// Of a wide tree: the record of an ancestor, which the record of the parent names.
+    /// In wide trees: the record of an ancestor, which is a link of the parent.
     Ancestor,
     /// The register.
     Register,
-    /// The record names it as the uncle.
+    /// The link to the uncle.
     Uncle,
-    /// The record names it as the grand uncle.
+    /// The link to the grand uncle.
     GrandUncle,
-    /// Records of other nodes, along which the traversal climbs.
+    /// The records of other nodes on a climb.
     Climb,
     /// The perfect hash.
     Table,
@@ -171,11 +171,11 @@ pub enum By {
     Stack,
     /// A skip pointer.
     Skip,
-    /// None yet: the traversal starts again at the root.
+    /// No address: the traversal starts again at the root.
     Restart,
 }
 
-/// What a page is made of.
+/// The data of a page.
 #[derive(Serialize)]
 struct Page<'a> {
     title: &'a str,
@@ -184,25 +184,26 @@ struct Page<'a> {
     /// Keys of the nodes in binary, and their names.
     keys: Vec<String>,
     names: Vec<String>,
-    /// Bits of a key for each level, and of a trail.
+    /// Bits per level of a key and of a trail.
     #[serde(rename = "keyBits")]
     key_bits: u32,
     #[serde(rename = "trailBits")]
     trail_bits: u32,
-    /// Base of the names.
+    /// The base of the names.
     base: u32,
     methods: Vec<Recording>,
-    /// Traversals that do not run on this case, each with the reason.
+    /// The omitted traversals, each with the reason.
     left_out: Vec<String>,
-    /// The clauses that the recordings name, by id.
+    /// The cited clauses, by id.
     clauses: BTreeMap<&'static str, Clause>,
 }
 
 const TEMPLATE: &str = include_str!("page.html");
 
-/// The page of a case: one HTML file that needs nothing else. It opens with the first of the traversals.
+/// Builds the page of a case: one self-contained HTML file. It opens with the first of the traversals.
 ///
-/// Traversals that do not run on this case are left out, and the page says why.
+/// Traversals that do not support this case are omitted, and the page lists the reasons.
+///
 ///
 /// ```
 /// use stackless_explain as explain;
@@ -236,13 +237,13 @@ pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<String, Expl
 
 impl Page<'_> {
     fn to_html(&self) -> Result<String, ExplainError> {
-        // No text can end the element in which it stands.
+        // Escaped, so that no text can close its element.
         let data = serde_json::to_string(self)?.replace('<', "\\u003c");
         Ok(TEMPLATE.replace("{{data}}", &data))
     }
 }
 
-/// The recordings of the traversals that run, and why the others do not.
+/// Returns the recordings of the supported traversals, and the reasons for omitting the unsupported ones.
 fn recordings<M: Copy>(
     methods: &[M],
     record: impl Fn(M) -> Result<Recording, ExplainError>,
@@ -261,7 +262,7 @@ fn recordings<M: Copy>(
     if recordings.is_empty() { Err(why) } else { Ok((recordings, left_out)) }
 }
 
-/// Runs a traversal over a case, in words of 128 bits, and compares each visit with the oracle's. `[TRAVERSE-1]`
+/// Runs a traversal over a case with 128-bit words, and compares each visit with the oracle's. `[TRAVERSE-1]`
 ///
 /// # Errors
 /// [`ExplainError`].
@@ -283,7 +284,7 @@ pub fn record(case: &Case, method: Method) -> Result<Recording, ExplainError> {
     Ok(Recording { method: method.name(), about, clause, state_bytes, links, table, steps: visits })
 }
 
-/// Refuses what cannot be drawn.
+/// Rejects trees that are too large or too deep to draw.
 const fn refuse_large(nodes: usize, depth: u32, limit: u32) -> Result<(), ExplainError> {
     if nodes > MOST_NODES {
         return Err(ExplainError::TooLarge { nodes });
@@ -294,10 +295,10 @@ const fn refuse_large(nodes: usize, depth: u32, limit: u32) -> Result<(), Explai
     Ok(())
 }
 
-/// The example of Binder & Keller's Fig. 2: from the node with key 10110 = 22, with the trail 1000, backtracking goes
-/// to key 11 = 3. `[TRAIL-4]`
+/// Returns the example of Binder & Keller's Fig. 2: from the node with key 10110 = 22 and the trail 1000, backtracking
+/// goes to key 11 = 3. `[TRAIL-4]`
 ///
-/// The tree is that of spec/traversal.md. Node 11 takes its right child first, so that the register is spent on 22 and
+/// The tree is that of spec/traversal.md. Node 11 takes its right child first, so the register is used up for 22, and
 /// the address of 3 has to come from the table.
 pub fn example() -> Case {
     let inner = [(0, [1, 2]), (1, [3, 4]), (2, [5, 6]), (4, [7, 8]), (6, [9, 10]), (8, [11, 12])];
@@ -307,7 +308,7 @@ pub fn example() -> Case {
     }
     let tree = Tree::from_generated(&children);
     let mut cells = vec![Cell::default(); children.len()];
-    // Keys 4 and 10 are missed; 3 and 11 take the right child first, also where children are ordered by sign.
+    // Keys 4 and 10 are missed. Keys 3 and 11 take the right child first, also in the order by sign.
     for node in [3, 7] {
         cells[node].miss = true;
     }
@@ -318,7 +319,7 @@ pub fn example() -> Case {
     Case { tree, tape, any: false, octant: 2 }
 }
 
-/// A node as pages name it.
+/// Returns the number of a node on pages.
 fn slot(tree: &Tree, node: Node) -> u32 {
     tree.slot(node) as u32
 }

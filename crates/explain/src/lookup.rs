@@ -1,4 +1,4 @@
-//! A perfect hash, and how a key is looked up in it.
+//! Perfect hashes and their lookups, for pages.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use stackless_bvh::hash::{PerfectHash, decode, fold, is_address};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::tree::Node;
 
-/// The tables of a perfect hash, as far as they can be drawn.
+/// The tables of a perfect hash, if they are small enough to draw.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Table {
     /// Number of hashed keys.
@@ -16,13 +16,13 @@ pub struct Table {
     pub displacements: usize,
     /// H, the number of cells.
     pub cells: usize,
-    /// What stands in the buckets; empty where D or H is more than [`Table::DRAWN`].
+    /// The entries of the buckets; empty if D or H is more than [`Table::DRAWN`].
     pub buckets: Vec<Entry>,
-    /// Nodes in the cells; empty where D or H is more than [`Table::DRAWN`].
+    /// The nodes in the cells; empty if D or H is more than [`Table::DRAWN`].
     pub nodes: Vec<Option<u32>>,
 }
 
-/// What stands in a bucket. `[HASH-5]`
+/// The entry of a bucket. `[HASH-5]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Entry {
@@ -33,7 +33,7 @@ pub enum Entry {
 }
 
 impl Table {
-    /// Most entries of a table that is drawn.
+    /// The maximum number of entries of a table that is drawn.
     pub const DRAWN: usize = 128;
 
     pub(super) fn of(hash: &PerfectHash, slot: impl Fn(Node) -> u32) -> Self {
@@ -55,34 +55,34 @@ impl Entry {
     }
 }
 
-/// The node whose address a word is, by its slot.
+/// Returns the slot of the node whose address a word is.
 fn node_of(word: u32, slot: &impl Fn(Node) -> u32) -> Option<u32> {
     is_address(word).then(|| slot(decode(word)))
 }
 
-/// A lookup by h(k) = ((k mod H) + d[k mod D]) mod H, or in one load where the bucket holds an address. `[HASH-1]`
+/// A lookup by h(k) = ((k mod H) + d[k mod D]) mod H, or in one load if the bucket has an address. `[HASH-1]`
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct HashLookup {
     /// The key, in binary.
     pub key: String,
-    /// The number that it goes through the function as, in decimal: the key itself, unless the tree needs the remedy.
+    /// The argument of the function, in decimal: the key itself, unless the tree needs the remedy.
     pub number: String,
     /// k mod D.
     pub bucket: usize,
-    /// What stands there.
+    /// The entry of the bucket.
     pub entry: Entry,
-    /// k mod H, where the bucket holds a displacement.
+    /// k mod H, if the bucket has a displacement.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remainder: Option<usize>,
-    /// h(k), where the bucket holds a displacement.
+    /// h(k), if the bucket has a displacement.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cell: Option<usize>,
-    /// The node that is found.
+    /// The node found.
     pub node: Option<u32>,
 }
 
 impl HashLookup {
-    /// Each part by the definition, from the words of the tables.
+    /// Computes each part by the definition, from the words of the tables.
     pub(super) fn of<W: KeyWord>(hash: &PerfectHash, key: &W, slot: impl Fn(Node) -> u32) -> Self {
         let header = hash.header();
         let number = header.mix.apply(fold(key, header.fold_seed));

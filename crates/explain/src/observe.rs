@@ -1,4 +1,4 @@
-//! Watching a traversal without changing it: its states, the answers of the search, the links and tables that it reads.
+//! Observation of an unmodified traversal: its states, the answers of the search, and its reads of links and tables.
 
 use std::cell::RefCell;
 
@@ -15,17 +15,17 @@ use stackless_bvh::traverse::{AuxTables, Method, Need, Tables, Test};
 use stackless_bvh::tree::{Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
 use stackless_check::{Case, Watched};
 
-/// Deepest tree that gets the implicit layout.
+/// The deepest tree that gets the implicit layout.
 const IMPLICIT_DEPTH: u32 = 13;
 
-/// The words that traversals run in.
+/// The word type of the traversals.
 pub(super) type Word = u128;
 
-/// What is seen from a visit to the next.
+/// The observations from one visit to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
     pub(super) state: State<Word>,
-    /// At an inner node.
+    /// The decision at an inner node.
     pub(super) descent: Option<Descent>,
     pub(super) found: Found,
     /// Nodes whose links were read, in order.
@@ -33,18 +33,18 @@ pub(super) struct Seen {
     pub(super) lookup: Option<HashLookup>,
 }
 
-/// What is found at a leaf.
+/// The result at a leaf.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Found {
-    /// Something better than before.
+    /// The search finds a better hit.
     pub(super) hit: bool,
-    /// It comes before what is disjoint.
+    /// The hit prunes the disjoint nodes.
     pub(super) prunes: bool,
-    /// It ends the search.
+    /// The hit ends the search.
     pub(super) stops: bool,
 }
 
-/// The visits so far. All who watch write to it.
+/// The visits so far. All observers write to it.
 #[derive(Debug, Default)]
 pub(super) struct Log(RefCell<Vec<Seen>>);
 
@@ -53,7 +53,7 @@ impl Log {
         self.0.into_inner()
     }
 
-    /// Adds to what is seen at the present visit.
+    /// Adds an observation to the current visit.
     fn note(&self, add: impl FnOnce(&mut Seen)) {
         if let Some(seen) = self.0.borrow_mut().last_mut() {
             add(seen);
@@ -61,7 +61,7 @@ impl Log {
     }
 }
 
-/// Runs a traversal over a case. The hash is that of the papers' sizes.
+/// Runs a traversal over a case. The perfect hash has the papers' sizes.
 pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table>, ExplainError> {
     let tree = &case.tree;
     let unfit = |error| ExplainError::Unsupported { method, error };
@@ -77,7 +77,7 @@ pub(super) fn run(case: &Case, method: Method, log: &Log) -> Result<Option<Table
     Ok(hash.map(|hash| Table::of(&hash, |node| slot(tree, node))))
 }
 
-/// What the oracle of a traversal does.
+/// Runs the oracle of a traversal.
 pub(super) fn run_oracle(case: &Case, method: Method, log: &Log) {
     let (tree, root) = (&case.tree, case.tree.root());
     let (mut search, mut watch) = (Deciding::new(case, method, log), Watching::new(case, log));
@@ -95,7 +95,7 @@ pub(super) fn run_oracle(case: &Case, method: Method, log: &Log) {
     }
 }
 
-/// What records name for a traversal.
+/// Returns the names of a traversal's links.
 pub(super) const fn link_names(method: Method) -> &'static [&'static str] {
     match method.wants_recorded() {
         Recorded::ParentSibling => &["parent", "sibling"],
@@ -104,7 +104,7 @@ pub(super) const fn link_names(method: Method) -> &'static [&'static str] {
     }
 }
 
-/// The nodes that they name, in the order of [`link_names`].
+/// The linked nodes, in the order of [`link_names`].
 #[derive(Debug)]
 pub(super) enum LinkTable {
     Nothing,
@@ -121,7 +121,7 @@ impl LinkTable {
         }
     }
 
-    /// What the record of a node names; nothing where the root stands for "none".
+    /// Returns the linked nodes of a node; `None` for links to the root that mean "none".
     pub(super) fn of_node(&self, tree: &Tree, node: Node) -> Vec<Option<Node>> {
         let root = tree.root();
         match self {
@@ -146,9 +146,9 @@ fn by_sign(case: &Case) -> SignOrder<'_> {
     SignOrder { axes: case.tape.axes(), octant: case.octant }
 }
 
-/// A table that says what it is asked. A key that is not there leads anywhere, which the comparison shows.
+/// A table that records its lookups. An unknown key leads to any node, which the comparison detects.
 struct Asked<'a> {
-    /// That of the papers' sizes, in place of the one that was built with the tables.
+    /// The hash with the papers' sizes, in place of the one built with the tables.
     hash: Option<&'a PerfectHash>,
     tree: &'a Tree,
     log: &'a Log,
@@ -162,14 +162,14 @@ impl stackless_bvh::hash::Lookup<Word> for Asked<'_> {
     }
 }
 
-/// Looks at each state. A traversal that does not end is stopped.
+/// Observes each state, and stops a traversal that does not end.
 struct Watching<'a> {
     log: &'a Log,
     limit: usize,
 }
 
 impl<'a> Watching<'a> {
-    /// Restarts pass each level once for each visit.
+    /// Restarts visit each level once per visit.
     fn new(case: &Case, log: &'a Log) -> Self {
         Self { log, limit: (case.size() + 1) * (case.tree.depth() as usize + 2) }
     }
@@ -184,18 +184,18 @@ impl Recorder for Watching<'_> {
     }
 }
 
-/// The value of a word; `None` if it has more than 128 bits.
+/// Returns the value of a word; `None` if it has more than 128 bits.
 fn wide(word: &impl KeyWord) -> Option<Word> {
     let length = word.bit_length();
     let bits = |rest: Word, piece: u32| rest << (length - 63 * piece).min(63) | Word::from(word.piece(piece));
     (length <= Word::BITS).then(|| (0..word.piece_count()).fold(0, bits))
 }
 
-/// A search that says what it answers.
+/// A search that records its answers.
 struct Deciding<'a> {
     search: Search<'a, Tree>,
     log: &'a Log,
-    /// The order of the children where nodes are tested at their visit: by sign, or left first.
+    /// The order of children if nodes are tested at their visit: by sign, or left first.
     order: Option<SignOrder<'a>>,
 }
 

@@ -1,4 +1,4 @@
-//! A ray through a scene, as a case that can be drawn.
+//! Conversion of a ray through a scene to a case.
 
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::{Cell, Tape};
@@ -9,13 +9,13 @@ use stackless_bvh::order::{FixedOrder, SignOrder};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::Case;
 
-/// With these signs, axis 0 has the left child first, axis 1 the right one.
+/// With these signs, axis 0 has the left child first and axis 1 the right child.
 const OCTANT: u8 = 0b010;
 
-/// The case of a ray's closest hit: what the tape decides is what [`Closest`](stackless_bvh::trace::Closest) decides.
+/// Converts a closest-hit query to a case: its tape has the decisions of [`Closest`](stackless_bvh::trace::Closest).
 ///
-/// The tree has the nodes whose boxes the ray meets, and beside them those that it misses, as leaves. Distances are
-/// numbered from the least, so that they keep their order. It may be too large for a page.
+/// The tree has the nodes whose boxes the ray hits. Their missed siblings are leaves. Distances are replaced by their
+/// ranks. The result may be too large for a page.
 pub fn of_ray(bvh: &Bvh, ray: &Ray) -> Case {
     let nodes = met(bvh, ray);
     let mut distances: Vec<f32> =
@@ -25,7 +25,7 @@ pub fn of_ray(bvh: &Bvh, ray: &Ray) -> Case {
     let rank = |t: f32| distances.partition_point(|&other| other < t) as u32;
     let cell = |met: &Met| {
         let enter = rank(met.enter);
-        // Nothing in a box is hit before it is entered; what a leaf holds a part of may be.
+        // A hit is never before the entry of its box, except for a part of a triangle.
         let hit = met.hit.map(|t| rank(t).max(enter));
         Cell { miss: met.is_missed, enter, exit: Some(rank(met.exit)), right_first: false, axis: met.axis, hit }
     };
@@ -37,23 +37,23 @@ pub fn of_ray(bvh: &Bvh, ray: &Ray) -> Case {
     Case { tree, tape, any: false, octant: OCTANT }
 }
 
-/// A node that a ray meets, or the top one of those that it misses.
+/// A node that the ray hits, or the top node of a missed subtree.
 struct Met {
     children: Option<[u32; 2]>,
     is_missed: bool,
-    /// Where the ray is in the node's box.
+    /// The distance where the ray enters the node's box.
     enter: f32,
     exit: f32,
-    /// The closest hit in a leaf.
+    /// The distance of the closest hit in a leaf.
     hit: Option<f32>,
     axis: u8,
 }
 
-/// Parents before their children, the root first.
+/// Returns the nodes with parents before their children, the root first.
 fn met(bvh: &Bvh, ray: &Ray) -> Vec<Met> {
     let (kernel, slabs) = (Exact::new(ray, bvh.region()), Directed::new(ray, bvh.region()));
     let by_sign = SignOrder { axes: bvh.axes(), octant: ray.octant() };
-    // As signed zeros are equal, there is but one of them.
+    // Adding 0 turns -0 into 0.
     let met = |node: Node, is_missed, enter: f32, exit: f32| {
         let distances = || bvh.leaf_triangles(node).iter().filter_map(|held| kernel.distance(&held.shape, ray.tmax()));
         let hit = if is_missed || !node.is_leaf() { None } else { distances().min_by(f32::total_cmp) };
@@ -72,7 +72,7 @@ fn met(bvh: &Bvh, ray: &Ray) -> Vec<Met> {
         nodes[slot].children = Some([first as u32, first as u32 + 1]);
         for (i, child) in bvh.children(node).into_iter().enumerate() {
             if hit[i] {
-                // It lies in the parent's interval, but for rounding.
+                // The interval is within the parent's, except for rounding.
                 nodes.push(met(child, false, near[i].max(enter), far[i].min(exit)));
                 pending.push((child, first + i));
             } else {
@@ -106,7 +106,7 @@ mod tests {
                 assert_eq!(recording.steps.len() as u64, counters.inner + counters.leaves, "{ray:?}");
                 let by_sign = BinaryTracer::with_method(&bvh, Method::Hapala).unwrap();
                 let visits = record(&case, Method::Hapala).unwrap().steps.len() as u64;
-                // A test of a box for each visit.
+                // The traversal tests one box per visit.
                 let Counters { boxes, .. } = by_sign.count_closest(&[ray]);
                 assert_eq!(visits, boxes, "{ray:?}");
                 hits += usize::from(recording.steps.iter().any(|step| step.hit));

@@ -1,4 +1,4 @@
-//! That the comparison with the oracle sees what is wrong.
+//! The comparison with the oracle detects faults.
 
 use super::judge::Judge;
 use super::observe::{self, Log, Seen};

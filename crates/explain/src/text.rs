@@ -1,4 +1,4 @@
-//! What happens at a visit, in words.
+//! Descriptions of visits.
 
 use super::judge::Judge;
 use super::observe::Seen;
@@ -9,7 +9,7 @@ use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{Method, Test};
 use stackless_bvh::tree::Recorded;
 
-/// A word in binary, without leading zeros.
+/// Formats a word in binary, without leading zeros.
 pub(super) fn binary<W: KeyWord>(word: &W) -> String {
     let (mut rest, mut digits) = (word.clone(), Vec::new());
     while !rest.is_zero() {
@@ -19,7 +19,7 @@ pub(super) fn binary<W: KeyWord>(word: &W) -> String {
     if digits.is_empty() { "0".to_owned() } else { digits.into_iter().rev().collect() }
 }
 
-/// A decision in few words.
+/// Formats a decision.
 pub(super) fn decision(descent: Descent) -> String {
     let side = side(descent.first());
     match (descent.is_neither(), descent.postpones()) {
@@ -30,7 +30,7 @@ pub(super) fn decision(descent: Descent) -> String {
     }
 }
 
-/// The sentence of a visit, and its clauses.
+/// Returns the description of a visit, and its clauses.
 pub(super) fn of(judge: &Judge<'_>, seen: &Seen, next: Option<&Next>) -> (String, Vec<&'static str>) {
     let (visit, mut clauses) = visited(judge, seen);
     let (way, by) = match next {
@@ -46,7 +46,7 @@ const fn side(side: Side) -> &'static str {
     if side.is_right() { "right" } else { "left" }
 }
 
-/// What is found, or decided.
+/// Describes the hit or the decision.
 fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
     let node = judge.name(seen.state.node);
     let wanted: Vec<_> = judge.wanted(seen.state.node, seen.descent).into_iter().map(|node| judge.name(node)).collect();
@@ -83,7 +83,7 @@ fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
     (text.to_owned(), vec![clause])
 }
 
-/// To a child.
+/// Describes the step to a child.
 fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
     let child = judge.name_of(next.node);
     if seen.state.is_restarting {
@@ -119,7 +119,7 @@ fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
     (text, clauses)
 }
 
-/// To a postponed node.
+/// Describes the step to a postponed node.
 fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
     let (name, method) = (judge.name_of(next.node), judge.method);
     let mut clauses = Vec::new();
@@ -138,7 +138,7 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
         let State { key, trail, counter, .. } = &seen.state;
         let [key, trail, counter] = [key, trail, counter].map(|word| word.as_ref().map(binary));
         text = match (&key, &trail, &counter) {
-            // The hit has changed the trail since it was shown.
+            // The hit has changed the trail since the visit was shown.
             (_, Some(_), _) if seen.found.prunes && seen.state.disjoint.is_some() => format!("Back: {up}."),
             (Some(key), Some(trail), _) => {
                 clauses.extend(["TRAIL-3", "TRAIL-4"]);
@@ -161,7 +161,7 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
     (format!("{text} {how}").trim_start().to_owned(), clauses)
 }
 
-/// Where the address comes from, and the clause if it is not the traversal's own.
+/// Describes the source of the address, with its clause if it is not the traversal's own.
 fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'static str>) {
     let way = || next.way.iter().map(|&node| judge.name_of(node)).collect::<Vec<_>>().join(", ");
     let steps = next.way.len();
@@ -191,7 +191,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
     }
 }
 
-/// What a lookup finds.
+/// Describes the result of a lookup.
 pub(super) fn looked_up(lookup: &HashLookup) -> String {
     let bucket = lookup.bucket;
     match (lookup.entry, lookup.cell) {

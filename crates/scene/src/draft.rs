@@ -1,4 +1,4 @@
-//! The mesh that a reader puts together.
+//! Construction of a mesh by a reader.
 
 use stackless_bvh::geom::Mesh;
 
@@ -8,13 +8,13 @@ use super::note::{NoteKind, Notes};
 use super::number::Number;
 use super::{Loaded, Part, Rounding, polygon};
 
-/// Vertices and faces that are read so far.
+/// The vertices and faces read so far.
 pub(crate) struct Draft<V: Position> {
     vertices: Vec<V>,
     triangles: Vec<[u32; 3]>,
     /// The face of each triangle.
     faces: Vec<u32>,
-    /// Number of faces so far, and corners of the one that is being read: how many, the first and the last.
+    /// Number of faces so far. Of the face being read: the number of corners, the first and the last one.
     face: u32,
     corners: u64,
     first: u32,
@@ -25,12 +25,12 @@ pub(crate) struct Draft<V: Position> {
     pub(crate) rounding: Rounding,
 }
 
-/// A coordinate that is not finite, of a vertex that no face may use.
+/// A coordinate that is not finite, of a vertex that faces may or may not use.
 struct NotFinite {
     vertex: u32,
     axis: usize,
     value: f64,
-    /// The line or the node that has it.
+    /// Its line or node.
     at: u64,
 }
 
@@ -51,22 +51,23 @@ impl<V: Position> Draft<V> {
         }
     }
 
-    /// Number of vertices so far.
+    /// Returns the number of vertices so far.
     pub(crate) fn vertices(&self) -> usize {
         self.vertices.len()
     }
 
-    /// Number of triangles so far.
+    /// Returns the number of triangles so far.
     pub(crate) fn triangles(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Number of corners of the face that is being read.
+    /// Returns the number of corners of the face being read.
     pub(crate) fn corners(&self) -> u64 {
         self.corners
     }
 
-    /// Takes a coordinate of the next vertex. If it is not finite, that is an error only where a face has the vertex.
+    /// Adds a coordinate of the next vertex. A coordinate that is not finite is an error only if a face uses the
+    /// vertex.
     #[inline]
     pub(crate) fn coordinate(
         &mut self,
@@ -93,7 +94,7 @@ impl<V: Position> Draft<V> {
         self.vertices.push(V::from_components(position));
     }
 
-    /// Adds a corner to the face that is being read: from the third on, a triangle of a fan.
+    /// Adds a corner to the face being read. From the third corner on, each adds a triangle of the fan.
     #[inline]
     pub(crate) fn corner(&mut self, corner: u32) {
         match self.corners {
@@ -108,7 +109,7 @@ impl<V: Position> Draft<V> {
         self.last = corner;
     }
 
-    /// Ends the face that is being read, and says where it is if it is none.
+    /// Ends the face being read. If it has fewer than three corners, notes its place.
     #[inline]
     pub(crate) fn end_face(&mut self, place: impl FnOnce() -> String) {
         if self.corners < 3 {
@@ -118,7 +119,7 @@ impl<V: Position> Draft<V> {
         self.corners = 0;
     }
 
-    /// Adds a triangle that is a face.
+    /// Adds a triangular face.
     #[inline]
     pub(crate) fn triangle(&mut self, corners: [u32; 3]) {
         self.triangles.push(corners);
@@ -126,14 +127,14 @@ impl<V: Position> Draft<V> {
         self.face += 1;
     }
 
-    /// Begins a part: what follows belongs to it.
+    /// Begins a part. The following triangles belong to it.
     pub(crate) fn part(&mut self, name: String) {
         let first = self.triangles.len() as u32;
         self.parts.pop_if(|part| part.first == first);
         self.parts.push(Part { name, first });
     }
 
-    /// Makes the mesh. `place` finds the place of a vertex from its number and what was given with its coordinate.
+    /// Builds the mesh. `place` converts the number of a vertex, and the line or node of its coordinate, to a place.
     pub(crate) fn finish(mut self, place: impl Fn(u32, u64) -> Place) -> Result<Loaded<V>, ReadError> {
         self.move_unused(place)?;
         if self.triangles.is_empty() {
@@ -145,7 +146,7 @@ impl<V: Position> Draft<V> {
         Ok(Loaded { mesh: Mesh::new(vertices, triangles)?, faces, parts, notes: notes.0, rounding })
     }
 
-    /// Moves vertices that are not finite to one that is, if no face uses them.
+    /// Replaces unused vertices that are not finite by a finite one. If a face uses one, that is an error.
     fn move_unused(&mut self, place: impl Fn(u32, u64) -> Place) -> Result<(), ReadError> {
         let Some(first) = self.not_finite.first() else { return Ok(()) };
         let at = place(first.vertex, first.at);
@@ -162,7 +163,7 @@ impl<V: Position> Draft<V> {
     }
 }
 
-/// The corners of a triangle of a strip, from its first one. Every other one would be turned around.
+/// Returns the corners of the triangle of a strip that begins at a corner. Every second triangle is reversed.
 pub(crate) fn of_strip(first: usize) -> [usize; 3] {
     [first, first + 1 + first % 2, first + 2 - first % 2]
 }

@@ -1,4 +1,4 @@
-//! What can be wrong with a mesh file, and where.
+//! Errors in mesh files, with their places.
 
 use stackless_bvh::geom::MeshError;
 
@@ -9,10 +9,10 @@ use super::text::{one_line, quote};
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
-/// Why a mesh could not be loaded. One line that begins with the file.
+/// Errors of loading a mesh. The message is one line that begins with the file.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
-    /// The extension tells no format that we read.
+    /// The extension is not that of a supported format.
     #[error("{}: {}, expected .ply, .obj, .stl, .gltf or .glb", one_line(.file), extension(.file))]
     Extension {
         /// The file.
@@ -23,40 +23,40 @@ pub enum SceneError {
     Io {
         /// The file.
         file: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         error: io::Error,
     },
-    /// The file is too large to be read: a hierarchy over what it could hold would take several times the memory.
+    /// The file is too large: the hierarchy of its mesh could take several times the memory.
     #[error("{}: more than {MOST_BYTES} bytes, the most that are read of a file", one_line(.file))]
     Size {
         /// The file.
         file: PathBuf,
     },
-    /// The file was read, but does not hold a mesh.
+    /// The file was read, but is not a valid mesh.
     #[error("{}: {error}", one_line(.file))]
     Content {
         /// The file.
         file: PathBuf,
-        /// What is wrong.
+        /// The content error.
         error: Box<ReadError>,
     },
 }
 
-/// Why bytes are not a mesh.
+/// Errors of decoding a mesh.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReadError {
-    /// A fault at one place.
+    /// A fault at a place in the file.
     #[error("{place}: {fault}")]
     At {
-        /// Where.
+        /// The place.
         place: Place,
-        /// What.
+        /// The fault.
         fault: Fault,
     },
-    /// The file is in order, but has no triangles. Notes say what it has.
+    /// The file is valid but has no triangles. Notes count its other content.
     #[error("no triangles, expected at least one{}", also(.0))]
     Empty(Vec<Note>),
-    /// The file is in order, but what it holds is not a mesh.
+    /// The file is valid, but its triangles are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
 }
@@ -70,58 +70,58 @@ pub enum Place {
     Element {
         /// Its line, counted from 1, if the file is text.
         line: Option<u64>,
-        /// Name of its kind, such as `vertex`, shortened.
+        /// The name of its kind, such as `vertex`, shortened.
         name: String,
         /// Its index among its kind, counted from 0.
         index: u64,
-        /// How many of its kind the header promises.
+        /// Number of elements of this kind in the header.
         count: u64,
     },
-    /// Behind the last element of a binary file.
+    /// After the last element of a binary file.
     End,
-    /// The document of a glTF file, as a whole.
+    /// The whole document of a glTF file.
     Document,
 }
 
-/// What is wrong at a place.
+/// A fault at a place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Fault {
-    /// The file is cut off.
+    /// The file is truncated.
     #[error("the file ends, expected {expected}")]
     Ends {
-        /// What should follow.
+        /// The missing content.
         expected: &'static str,
     },
-    /// Text or bytes that do not belong there.
+    /// Unexpected text or bytes.
     #[error("found {found}, expected {expected}")]
     Unexpected {
-        /// What stands there, shortened.
+        /// The text found, shortened.
         found: String,
-        /// What should.
+        /// The expected text.
         expected: String,
     },
     /// JSON that is not a glTF 2.0 document.
     #[error("{what}")]
     Json {
-        /// The column and what is wrong there.
+        /// The column and the error there.
         what: String,
     },
-    /// A coordinate that is NaN, infinite, or too large for the precision that is read.
+    /// A coordinate that is NaN, infinite, or out of range in the precision of the mesh.
     #[error("coordinate {} is {value:?}, expected a finite number in {precision} precision", ["x", "y", "z"][*.axis])]
     NonFinite {
         /// 0, 1 or 2.
         axis: usize,
         /// The coordinate.
         value: f64,
-        /// What is read: `single` or `double`.
+        /// The precision of the mesh: `single` or `double`.
         precision: &'static str,
     },
-    /// A corner that is not a vertex.
+    /// A corner that is not the index of a vertex.
     #[error("vertex index {found} is out of range, expected {expected}")]
     Index {
         /// The corner.
         found: String,
-        /// The range.
+        /// The valid range.
         expected: String,
     },
 }
@@ -145,7 +145,7 @@ impl Fault {
 }
 
 impl Place {
-    /// One of so many elements of a file that is no text.
+    /// Names one of `count` elements of a binary file.
     pub(super) fn of(name: &str, index: usize, count: usize) -> Self {
         Self::Element { line: None, name: name.into(), index: index as u64, count: count as u64 }
     }

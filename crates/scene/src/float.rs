@@ -1,4 +1,4 @@
-//! The two precisions that files are read in.
+//! The two precisions of meshes and rays.
 
 use std::str::FromStr;
 
@@ -8,19 +8,19 @@ use stackless_bvh::geom::{Real, Vector};
 
 /// A number of a mesh, a ray or a hit: `f32` or `f64`.
 ///
-/// Text is rounded to it once.
+/// Decimals in text are rounded once.
 pub trait Float: Real + FromStr + Serialize + DeserializeOwned {
-    /// Its precision: `single` or `double`.
+    /// The name of the precision: `single` or `double`.
     const PRECISION: &'static str;
 
-    /// Its type in a `NumPy` array.
+    /// The type in a `NumPy` array.
     const DTYPE: &'static str;
 
-    /// Its bytes, the lowest first.
+    /// Returns the bytes in little-endian order.
     fn bytes(self) -> impl AsRef<[u8]>;
 }
 
-/// A position of such numbers: [`glam::Vec3`] or [`glam::DVec3`].
+/// A position in one of these precisions: [`glam::Vec3`] or [`glam::DVec3`].
 pub trait Position: Vector<Real: Float> {}
 
 impl<V: Vector<Real: Float>> Position for V {}
@@ -43,12 +43,12 @@ impl Float for f64 {
     }
 }
 
-/// A number that is not there: of a hit that is none, or of a word that is no number.
+/// Returns NaN: for a number of a missing hit, or for a word that is not a number.
 pub(crate) fn nan<F: Float>() -> F {
     F::rounded(f64::NAN)
 }
 
-/// Whether it is neither infinite nor a NaN.
+/// Returns whether a number is neither infinite nor NaN.
 pub(crate) fn is_finite<F: Float>(number: F) -> bool {
     number.into().is_finite()
 }

@@ -1,8 +1,8 @@
 //! glTF 2.0, as text and binary (Khronos Group, *glTF 2.0 Specification*).
 //!
-//! The crate `gltf` 1.4 is not used: it refuses documents for what has nothing to do with triangles (a byte order mark, an
-//! unknown extension of a material, missing bounds), cuts its messages, rounds the numbers of nodes to single precision,
-//! and its iterators trust that an accessor lies within its view.
+//! The crate `gltf` 1.4 is not used. It rejects documents for faults that do not concern triangles: a byte order mark,
+//! an unknown extension of a material, missing bounds. It truncates its messages and rounds the numbers of nodes to
+//! single precision. Its iterators assume that an accessor lies within its view.
 
 mod document;
 mod elements;
@@ -21,16 +21,19 @@ use document::{Primitive, entry, is_known};
 use elements::{Elements, Store, Use};
 use placed::{Map, Node};
 
-/// Most triangles of a scene, and most primitives. Nodes may repeat a mesh, so that a small file could ask for any number.
+/// The maximum number of triangles and of primitives. Nodes may repeat a mesh, so a small file could request any
+/// number.
 const MOST: usize = 1 << 26;
 
-/// Reads the mesh that the nodes of a scene make up, from the bytes of a `.gltf` or `.glb` file.
+/// Reads the mesh of all nodes of a scene from the bytes of a `.gltf` or `.glb` file.
 ///
-/// It is the scene that the file names, or its first. Each node's mesh is moved by the node and all above it, in double
-/// precision; a coordinate counts as rounded if a step of that is rounded. Triangles, strips and fans are read, of floats
-/// or short integers (`KHR_mesh_quantization`), sparse too, and placed as often as `EXT_mesh_gpu_instancing` says. Each
-/// node is a part. Notes count points and lines, skins and morph targets, which are not read, and extensions that are not
-/// known. A file that requires such an extension is refused. Buffers are in the file, or in `folder` and those below it.
+/// It reads the file's default scene, or the first one. Each node's mesh is transformed by the node and its ancestors,
+/// in double precision. A coordinate counts as rounded if any step of that rounds. Each node is a part.
+///
+/// Supported: triangles, strips and fans, with coordinates that are floats or short integers (`KHR_mesh_quantization`),
+/// sparse accessors, and instances (`EXT_mesh_gpu_instancing`). Notes count points, lines, skins, morph targets and
+/// unknown extensions, which are skipped. A file that requires an unknown extension is rejected. Buffers are in the
+/// file, or in `folder` and its subfolders.
 ///
 /// # Errors
 /// [`ReadError`], naming the node or the buffer.
@@ -48,7 +51,7 @@ pub fn read_gltf<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<Loa
     while let Some((index, above)) = pending.pop() {
         let at = |fault: Fault| fault.at(Place::of("node", index, count));
         let node = entry(&document.nodes, index, "node").map_err(at)?;
-        // Nodes are trees: else there would be no end of them.
+        // Nodes must form trees. A cycle would not end.
         if std::mem::replace(&mut is_met[index], true) {
             return Err(at(Fault::unexpected("a node below two others", "one above each")));
         }
@@ -62,12 +65,12 @@ pub fn read_gltf<V: Position>(bytes: &[u8], folder: Option<&Path>) -> Result<Loa
 struct Scene<'a, V: Position> {
     store: Store<'a>,
     draft: Draft<V>,
-    /// How many primitives have been looked at.
+    /// Number of primitives so far.
     primitives: usize,
 }
 
 impl<V: Position> Scene<'_, V> {
-    /// Adds the mesh of a node, at each of its places.
+    /// Adds the mesh of a node at each of its places.
     fn add(&mut self, index: usize, node: &Node, to_world: &Map) -> Result<(), Fault> {
         let place = || format!("in {}", Place::of("node", index, self.store.document.nodes.len()));
         self.draft.notes.add(NoteKind::Skin, node.skin.is_some().into(), place);
@@ -123,7 +126,7 @@ impl<V: Position> Scene<'_, V> {
         Ok(())
     }
 
-    /// Refuses more than a scene may have.
+    /// Rejects more vertices or triangles than a scene may have.
     fn check(&self, vertices: usize, triangles: usize) -> Result<(), Fault> {
         let vertices = self.draft.vertices().saturating_add(vertices);
         let triangles = self.draft.triangles().saturating_add(triangles);
@@ -146,7 +149,7 @@ impl<V: Position> Scene<'_, V> {
     }
 }
 
-/// Visits the places of a node's mesh: one, or those of its instances.
+/// Visits the transforms of a node's mesh: one, or those of its instances.
 fn places(
     store: Store<'_>,
     node: &Node,

@@ -1,17 +1,16 @@
-//! Triangle meshes, rays, points and answers: reading and writing files.
+//! Reading and writing files of triangle meshes, rays, points and answers.
 //!
-//! [`load`] reads a mesh, [`read_rows`] rays or points to ask it about, and [`write_table`] writes the answers.
-//! [`write_atomically`] leaves no partial file behind if a run fails.
+//! [`load`] reads a mesh, [`read_rows`] reads rays or points, and [`write_table`] writes the answers.
+//! [`write_atomically`] leaves no partial file if a run fails.
 //!
-//! A file is data from outside: whatever it holds, the answer is a valid [`Mesh`] or an error of one line that
-//! says where (line, or element such as `face 3`), what was found and what was expected. No count in a file is
-//! believed before the bytes it promises are there, so memory stays within a small multiple of the file's size, and
-//! files of more than [`MOST_BYTES`] are refused.
+//! Files are untrusted. Any file gives a valid [`Mesh`] or a one-line error that names the place (a line, or an element
+//! such as `face 3`), the text found and the text expected. No count in a file is trusted before its bytes are there,
+//! so memory is at most a small multiple of the file's size. Files of more than [`MOST_BYTES`] are rejected.
 //!
-//! Numbers are rounded once, to the chosen precision. [`Rounding`] says how many and by how much: a decimal
-//! such as 0.1 is rounded in either precision. `load::<DVec3>` reads in double precision.
+//! Numbers are rounded once, to the chosen precision. [`Rounding`] counts the rounded numbers and bounds the error: a
+//! decimal such as 0.1 is rounded in either precision. `load::<DVec3>` reads in double precision.
 //!
-//! Nothing is lost in silence: [`Loaded::notes`] counts what was skipped or changed.
+//! Nothing is skipped silently: [`Loaded::notes`] counts skipped and changed content.
 #![forbid(unsafe_code)]
 
 mod draft;
@@ -55,27 +54,27 @@ use std::path::Path;
 use glam::Vec3;
 use stackless_bvh::geom::Mesh;
 
-/// What a mesh file holds.
+/// The contents of a mesh file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded<V: Position = Vec3> {
     /// The mesh.
     pub mesh: Mesh<V>,
-    /// For each triangle the face of the file that it is cut from, counted from 0: of a polygon there are several.
+    /// The face in the file for each triangle, counted from 0. A polygon gives several triangles.
     pub faces: Vec<u32>,
-    /// Groups and objects of an OBJ file, solids of an STL text, nodes of a glTF file: those that have triangles, in order.
+    /// Groups and objects of an OBJ file, solids of an STL text, or nodes of a glTF file, in order. Each has triangles.
     pub parts: Vec<Part>,
-    /// What was skipped or changed.
+    /// Counts of skipped or changed content.
     pub notes: Vec<Note>,
-    /// How many coordinates were rounded, and by how much.
+    /// The number of rounded coordinates, and a bound of their error.
     pub rounding: Rounding,
 }
 
-/// A named part of a file: its triangles are those up to the first one of the next part.
+/// A named part of a file. Its triangles end before the first one of the next part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Its name in the file, which may be empty.
+    /// The name in the file, which may be empty.
     pub name: String,
-    /// Its first triangle.
+    /// The first triangle.
     pub first: u32,
 }
 
@@ -85,7 +84,7 @@ impl<V: Position> Loaded<V> {
         self.parts[..self.parts.partition_point(|part| part.first <= triangle)].last()
     }
 
-    /// Returns the note for the user: one line that begins with the file. `None` if all of it was taken as it is.
+    /// Returns the note for the user, one line that begins with the file; `None` if nothing was skipped or changed.
     pub fn note(&self, file: &Path) -> Option<String> {
         let rounded = self.rounding.note::<V::Real>(size(&self.mesh));
         let notes: Vec<_> = self.notes.iter().map(ToString::to_string).chain(rounded).collect();
@@ -93,12 +92,12 @@ impl<V: Position> Loaded<V> {
     }
 }
 
-/// Reads the triangle mesh in a file, by its extension (either case of letters): `.ply`, `.obj`, `.stl`, `.gltf`,
-/// `.glb`; see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`]. Coordinates are read in single or in double
-/// precision, as the type asks.
+/// Reads a triangle mesh from a file. The extension selects the format, in upper or lower case: `.ply`, `.obj`, `.stl`,
+/// `.gltf`, `.glb`; see [`read_ply`], [`read_obj`], [`read_stl`] and [`read_gltf`]. The type selects single or double
+/// precision.
 ///
 /// # Errors
-/// [`SceneError`]: unknown extension, unreadable or too large a file, or content that is not a mesh.
+/// [`SceneError`]: the extension is unknown, the file is unreadable or too large, or its content is not a valid mesh.
 pub fn load<V: Position>(path: &Path) -> Result<Loaded<V>, SceneError> {
     let read = reader(path)?;
     let bytes = read_bytes(path, MOST_BYTES).map_err(|error| SceneError::Io { file: path.into(), error })?;
@@ -106,8 +105,8 @@ pub fn load<V: Position>(path: &Path) -> Result<Loaded<V>, SceneError> {
     read(&bytes, path.parent()).map_err(|error| SceneError::Content { file: path.into(), error: error.into() })
 }
 
-/// Reads the triangle mesh in bytes that are there already, as where there is no file system. The name tells the format.
-/// A `.gltf` may not name other files.
+/// Reads a triangle mesh from bytes in memory, for example without a file system. The name's extension selects the
+/// format. A `.gltf` must not refer to other files.
 ///
 /// ```
 /// use glam::Vec3;
@@ -119,15 +118,15 @@ pub fn load<V: Position>(path: &Path) -> Result<Loaded<V>, SceneError> {
 /// ```
 ///
 /// # Errors
-/// [`SceneError`]: unknown extension, or content that is not a mesh.
+/// [`SceneError`]: the extension is unknown, or the content is not a valid mesh.
 pub fn read_named<V: Position>(name: &Path, bytes: &[u8]) -> Result<Loaded<V>, SceneError> {
     reader(name)?(bytes, None).map_err(|error| SceneError::Content { file: name.into(), error: error.into() })
 }
 
-/// Reads the bytes of a file, and what it names in its folder.
+/// A reader of the bytes of a file, and of files that it names in its folder.
 type Reader<V> = fn(&[u8], Option<&Path>) -> Result<Loaded<V>, ReadError>;
 
-/// What reads files of this name.
+/// Returns the reader for a file name.
 fn reader<V: Position>(path: &Path) -> Result<Reader<V>, SceneError> {
     let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
     Ok(match extension.to_str() {
@@ -139,11 +138,11 @@ fn reader<V: Position>(path: &Path) -> Result<Reader<V>, SceneError> {
     })
 }
 
-/// Most bytes of a file that are read: 4 GiB, more than 100 million triangles.
+/// The maximum size of a file: 4 GiB, more than 100 million triangles.
 pub const MOST_BYTES: u64 = 4 << 30;
 
-/// The bytes of a file, or `None` if there are more than so many. What the file system says is asked first, so that a
-/// file with holes costs nothing.
+/// Reads a file, or returns `None` if it has more than `most` bytes. The size in the file system is checked first, so a
+/// sparse file costs nothing.
 fn read_bytes(path: &Path, most: u64) -> std::io::Result<Option<Vec<u8>>> {
     let file = File::open(path)?;
     let size = file.metadata()?.len();

@@ -2,14 +2,14 @@
 
 use std::fmt;
 
-/// Things of one kind that a reader skipped or changed.
+/// Items of one kind that a reader skipped or changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// Their kind.
+    /// The kind.
     pub kind: NoteKind,
-    /// How many there are.
+    /// Number of items.
     pub count: u64,
-    /// Where the first one is, such as `in line 3`.
+    /// The place of the first one, such as `in line 3`.
     pub first: String,
 }
 
@@ -17,27 +17,27 @@ pub struct Note {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoteKind {
-    /// A statement that OBJ does not have.
+    /// A statement that is not part of OBJ.
     UnknownStatement,
-    /// An OBJ statement of points, lines, curves or surfaces, or one that names another file with such.
+    /// An OBJ statement of points, lines, curves or surfaces, or of another file with them.
     OtherStatement,
-    /// An element of a PLY file that is neither vertex, face nor strip.
+    /// An element of a PLY file other than vertices, faces and strips.
     OtherElement,
     /// A glTF primitive of points or lines.
     OtherPrimitive,
-    /// A face or strip of fewer than three corners.
+    /// A face or strip with fewer than three corners.
     FewCorners,
-    /// A polygon without a triangulation: it crosses itself, or has too many corners for the search.
+    /// A polygon without a triangulation: it intersects itself, or has too many corners for the search.
     Crossing,
-    /// A vertex that is not finite and that no face uses. It is moved to a vertex that is used.
+    /// A vertex that is not finite, and that no face uses. It is replaced by a used vertex.
     UnusedVertex,
     /// A byte after the last triangle of a binary STL file.
     TrailingByte,
-    /// A skin of a glTF node. Its mesh stays where the node puts it.
+    /// A skin of a glTF node. Its mesh keeps the transform of the node.
     Skin,
-    /// A glTF primitive with morph targets. It has its base shape.
+    /// A glTF primitive with morph targets. It keeps its base shape.
     Morph,
-    /// A glTF extension that this reader does not know, and that the file does not require.
+    /// An unknown glTF extension that the file does not require.
     Extension,
 }
 
@@ -76,12 +76,12 @@ impl fmt::Display for Note {
     }
 }
 
-/// The notes of a reader, one of each kind.
+/// The notes of a reader, one per kind.
 #[derive(Debug, Default)]
 pub(crate) struct Notes(pub(crate) Vec<Note>);
 
 impl Notes {
-    /// Counts more things of a kind; `first` says where they are.
+    /// Counts items of a kind. `first` gives their place.
     pub(crate) fn add(&mut self, kind: NoteKind, count: u64, first: impl FnOnce() -> String) {
         match self.0.iter_mut().find(|note| note.kind == kind) {
             Some(note) => note.count += count,

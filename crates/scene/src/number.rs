@@ -1,4 +1,4 @@
-//! Numbers of a file, and how far they are from what the file says.
+//! Numbers of a file, with their rounding errors.
 
 use std::ops::{Add, Mul};
 
@@ -10,8 +10,8 @@ use super::error::Fault;
 use super::float::{Float, is_finite};
 use super::text::quote;
 
-/// A number as it was read, and how far it may be from the one in the file: 0 only if it is that one, and infinite if that
-/// one is finite and this one is not.
+/// A number, with a bound of its distance from the one in the file. The bound is 0 only if both are equal, and infinite
+/// if the number in the file is finite and this one is not.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Number<F> {
     pub(crate) value: F,
@@ -31,13 +31,13 @@ impl<F: Float> Number<F> {
         Self { value, error: if rounded == exact { 0.0 } else { (exact - rounded).abs() } }
     }
 
-    /// Rounds a decimal, once; `None` if the word is none.
+    /// Rounds a decimal once; `None` if the word is not a decimal.
     #[inline]
     pub(crate) fn parse(word: &str) -> Option<Self> {
         let near: f64 = word.parse().ok()?;
         let rounded = F::rounded(near);
         let left = near - rounded.into();
-        // Between two floats of single precision, the double cannot tell which one is nearer to the decimal.
+        // A double halfway between two floats does not determine which float is closer to the decimal.
         let other = near + left;
         let is_open = left != 0.0 && F::rounded(other).into() == other || !is_finite(rounded);
         let value = if is_open { word.parse().ok()? } else { rounded };
@@ -59,7 +59,7 @@ impl<F: Float> Number<F> {
         if is_finite(number.value) { Ok(number) } else { Err(Fault::non_finite::<F>(axis, exact)) }
     }
 
-    /// Rounds the decimal of a coordinate, which must be finite.
+    /// Parses and rounds a coordinate, which must be finite.
     #[inline]
     pub(crate) fn coordinate_in(word: &str, axis: usize, expected: &str) -> Result<Self, Fault> {
         match Self::parse(word) {
@@ -70,11 +70,11 @@ impl<F: Float> Number<F> {
     }
 }
 
-/// Reads a number of JSON as the decimal that it is.
+/// Reads a JSON number as a decimal.
 impl<'de, F: Float> Deserialize<'de> for Number<F> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let word = <&RawValue>::deserialize(deserializer)?.get();
-        // Of what is no number, serde_json says so.
+        // serde_json reports values that are not numbers.
         let is_number = word.starts_with(|first: char| first == '-' || first.is_ascii_digit());
         match Self::parse(word).filter(|_| is_number) {
             Some(number) => Ok(number),
@@ -83,7 +83,7 @@ impl<'de, F: Float> Deserialize<'de> for Number<F> {
     }
 }
 
-/// What rounding leaves out of the sum is known exactly (Møller 1965; Knuth, TAOCP 4.2.2).
+/// The rounding error of the sum is known exactly (Møller 1965; Knuth, TAOCP 4.2.2).
 impl Add for Number<f64> {
     type Output = Self;
 
@@ -96,7 +96,7 @@ impl Add for Number<f64> {
     }
 }
 
-/// So is what it leaves out of the product, but for the smallest.
+/// The rounding error of the product is also known exactly, except for the least products.
 impl Mul for Number<f64> {
     type Output = Self;
 
@@ -111,7 +111,7 @@ impl Mul for Number<f64> {
     }
 }
 
-/// Powers of five that 64 bits hold.
+/// Powers of five below 2^64.
 const FIVES: [u64; 28] = {
     let mut fives = [1; 28];
     let mut i = 1;
@@ -122,14 +122,14 @@ const FIVES: [u64; 28] = {
     fives
 };
 
-/// Whether a decimal is the float that it was rounded to.
+/// Returns whether a decimal equals the float that it was rounded to.
 #[inline]
 fn is_decimal(word: &str, value: f64) -> bool {
     !has_other_places(word, value) && is_equal(word, value)
 }
 
-/// Whether a float has more or fewer places than the decimal: with n of them, and no 0 at the end, both are odd multiples
-/// of 2^-n if they are equal. Few decimals that are not their float need to be looked at any further.
+/// Returns whether the float has more or fewer decimal places than the decimal. With n places and no trailing 0, both
+/// are odd multiples of 2^-n if they are equal. This rejects most decimals that differ from their float.
 #[inline]
 fn has_other_places(word: &str, value: f64) -> bool {
     let bytes = word.as_bytes();
@@ -144,14 +144,14 @@ fn has_other_places(word: &str, value: f64) -> bool {
     scaled < (1_u64 << 62) as f64 && (whole as f64 != scaled || whole % 2 == 0)
 }
 
-/// As [`is_decimal`], by all digits.
+/// Compares like [`is_decimal`], by all digits.
 fn is_equal(word: &str, value: f64) -> bool {
     match scan(word) {
         Some((0, _)) => true,
         Some((digits, exponent @ 0..=19)) => {
             u128::from(digits) * 10_u128.pow(exponent.unsigned_abs()) == value.abs() as u128
         }
-        // A multiple of a power of two, if five divides the digits as often as there are places.
+        // The decimal is a multiple of a power of two if the digits are divisible by five as often as there are places.
         Some((digits, exponent @ -27..=-1)) => {
             let places = exponent.unsigned_abs();
             let fives = FIVES[places as usize];
@@ -161,7 +161,7 @@ fn is_equal(word: &str, value: f64) -> bool {
     }
 }
 
-/// The digits of a decimal as a whole number, and the power of ten that it counts; `None` beyond 64 bits.
+/// Returns the digits of a decimal as an integer, and its power of ten; `None` beyond 64 bits.
 #[inline]
 fn scan(word: &str) -> Option<(u64, i32)> {
     let (mut digits, mut exponent, mut is_fraction) = (0_u64, 0, false);
@@ -179,7 +179,7 @@ fn scan(word: &str) -> Option<(u64, i32)> {
     Some((digits, exponent))
 }
 
-/// As [`is_equal`], for decimals of any length: by all digits of the float.
+/// Compares like [`is_equal`], for decimals of any length, by all digits of the float.
 #[cold]
 fn is_long_decimal(word: &str, value: f64) -> bool {
     let (mantissa, power) = word.split_once(['e', 'E']).unwrap_or((word, "0"));
@@ -190,7 +190,7 @@ fn is_long_decimal(word: &str, value: f64) -> bool {
         power.parse::<i64>().ok().map(|power| power + (all.len() - digits.len()) as i64 - fraction.len() as i64);
     let digits = digits.trim_start_matches('0');
     let places = places(value);
-    // The last of a float's places is not zero.
+    // The last place of the float is not zero.
     let zeros = match power.and_then(|power| power.checked_add(places as i64)) {
         _ if digits.is_empty() => return true,
         Some(zeros @ 0..=400) if places == 0 || zeros == 0 => zeros as usize,
@@ -200,7 +200,7 @@ fn is_long_decimal(word: &str, value: f64) -> bool {
     exact.trim_start_matches('0').strip_prefix(digits).is_some_and(|rest| rest == "0".repeat(zeros))
 }
 
-/// How many places a float has behind the point.
+/// Returns the number of decimal places of a float.
 fn places(value: f64) -> usize {
     let bits = value.to_bits();
     let (fraction, exponent) = (bits & ((1 << 52) - 1), bits >> 52 & 0x7ff);
@@ -209,7 +209,7 @@ fn places(value: f64) -> usize {
     if significand == 0 { 0 } else { (-unit - i64::from(significand.trailing_zeros())).max(0) as usize }
 }
 
-/// Half the distance to the next greater float.
+/// Returns half the distance to the next greater float.
 fn half_unit<F: Float>(value: f64) -> f64 {
     let next: f64 = F::rounded(value.abs()).next_up().into();
     let unit = if next.is_finite() { next - value.abs() } else { value.abs() };

@@ -12,14 +12,15 @@ use super::text::{End, Lines, as_utf8, quote};
 
 /// Reads a mesh from the bytes of an OBJ file.
 ///
-/// Statements `v` (of which the first three numbers count) and `f` (or `fo`) are read, with comments and lines
-/// continued by a backslash. A line ends with a line feed, a carriage return, or both. The text is UTF-8, or UTF-16
-/// with a byte order mark. Coordinates are rounded to what is read. A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a`
-/// counts vertices from 1, or backwards from the last one so far if negative; it may point to a vertex that follows. A
-/// polygon may be concave. Each `o` or `g` begins a part.
+/// The reader supports the statements `v` (its first three numbers) and `f` (or `fo`), comments, and lines continued by
+/// a backslash. A line ends with a line feed, a carriage return, or both characters. The text is UTF-8, or UTF-16 with
+/// a byte order mark. Coordinates are rounded to the precision of the mesh.
 ///
-/// Faces of fewer than three corners are skipped, and so are points, lines, curves, surfaces, and statements that the
-/// format does not have: notes count them.
+/// A corner is `a`, `a/b`, `a//c` or `a/b/c`, where `a` counts vertices from 1, or backwards from the last one so far
+/// if negative. It may refer to a later vertex. A polygon may be concave. Each `o` or `g` begins a part.
+///
+/// Faces with fewer than three corners are skipped. Points, lines, curves, surfaces and unknown statements are also
+/// skipped. Notes count them.
 ///
 /// ```
 /// let loaded = stackless_scene::read_obj::<glam::Vec3>(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
@@ -45,7 +46,7 @@ pub fn read_obj<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
     reader.finish()
 }
 
-/// Statements that say nothing of where anything is: the manual's, and those of its version 2.11.
+/// Statements without geometry, from the manual and from version 2.11 of the format.
 #[rustfmt::skip]
 const OTHERS: [&str; 29] = [
     "vt", "vn", "vp", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp", "end", "con", "s", "mg",
@@ -53,10 +54,10 @@ const OTHERS: [&str; 29] = [
     "stech", "res",
 ];
 
-/// Statements of points, lines, curves and surfaces, and of other files.
+/// Statements of points, lines, curves, surfaces and other files.
 const SHAPES: [&str; 11] = ["p", "l", "curv", "curv2", "surf", "call", "csh", "bsp", "bzp", "cdc", "cdp"];
 
-/// Writes a line and its continuation lines into `statement`.
+/// Joins a line and its continuation lines in `statement`.
 fn join<'a>(first: &[u8], lines: &mut Lines<'_>, statement: &'a mut Vec<u8>) -> &'a [u8] {
     statement.clear();
     statement.extend_from_slice(first);
@@ -71,7 +72,8 @@ fn join<'a>(first: &[u8], lines: &mut Lines<'_>, statement: &'a mut Vec<u8>) -> 
     statement
 }
 
-/// A line without its comment or backslash, and whether the next line continues it. A comment ends with its line.
+/// Returns a line without its comment or backslash, and whether the next line continues it. A comment ends with its
+/// line.
 fn content(line: &[u8]) -> (&[u8], bool) {
     if let Some(comment) = line.iter().position(|&byte| byte == b'#') {
         return (&line[..comment], false);
@@ -83,10 +85,10 @@ fn content(line: &[u8]) -> (&[u8], bool) {
 }
 
 struct Reader<V: Position> {
-    /// Where the current statement begins.
+    /// First line of the current statement.
     line: u64,
     draft: Draft<V>,
-    /// Corners (line and number) that were ahead of the vertices when they came.
+    /// Corners (line and number) that refer to later vertices.
     ahead: Vec<(u64, i64)>,
 }
 
@@ -95,7 +97,7 @@ impl<V: Position> Reader<V> {
         let mut words = text.split_ascii_whitespace();
         let kind = match words.next() {
             Some("v") => return self.vertex(words),
-            // As of version 2.11 of the format, the old name is read as the new one.
+            // Since version 2.11 of the format, the old name means the new one.
             Some("f" | "fo") => return self.face(words),
             Some("o" | "g") => {
                 self.draft.part(words.collect::<Vec<_>>().join(" "));
@@ -137,7 +139,7 @@ impl<V: Position> Reader<V> {
         if index < 0 {
             return Err(self.out_of_range(number));
         }
-        // What is ahead still, however far, is refused in the end: the cast loses nothing that stays.
+        // Corners still ahead at the end of the file are rejected, so the cast loses no valid index.
         if index >= count {
             self.ahead.push((self.line, number));
         }
@@ -161,7 +163,7 @@ impl<V: Position> Reader<V> {
     }
 }
 
-/// The vertex number of `a`, `a/b`, `a//c` or `a/b/c`.
+/// Parses the vertex number of `a`, `a/b`, `a//c` or `a/b/c`.
 fn corner(word: &str) -> Option<i64> {
     let mut parts = word.split('/');
     let vertex = parts.next()?.parse().ok()?;

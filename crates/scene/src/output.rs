@@ -1,4 +1,4 @@
-//! Output that is there whole or not at all.
+//! Files that are written atomically.
 
 use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Write};
@@ -7,15 +7,16 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::TempPath;
 
-/// Creates or replaces a file with what `write` writes, or leaves everything as it was if that fails.
+/// Creates or replaces a file with the output of `write`. If that fails, the old file stays unchanged.
 ///
-/// The text goes to a temporary file in the same folder, which takes the name at the end and is removed on error. The
-/// new file has the permissions of the one that it replaces, and the owner of this process; other hard links to the old
-/// file keep the old text. A symbolic link is followed, also to a file that is not there yet. A read-only file is not
-/// replaced. What is not a file (a pipe, a terminal, `/dev/null`) cannot be replaced: it gets the whole text at the end.
+/// The text goes to a temporary file in the same folder, which is renamed at the end, and removed on error. The new
+/// file has the permissions of the one that it replaces, and the owner of this process. Other hard links to the old
+/// file keep the old text. A symbolic link is followed, even if its target does not exist yet. A read-only file is not
+/// replaced. A pipe, a terminal or a device such as `/dev/null` cannot be replaced: it receives the whole text at the
+/// end.
 ///
 /// # Errors
-/// Those of `write` and of the file system.
+/// The errors of `write` and of the file system.
 pub fn write_atomically(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     match Place::of(path)? {
         Place::Stream => {
@@ -31,19 +32,19 @@ pub fn write_atomically(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::R
             let mut writer = BufWriter::new(file);
             write(&mut writer)?;
             let file = writer.into_inner()?;
-            // The name must not reach the disk before the text does.
+            // The text must reach the disk before the name.
             file.sync_all()?;
-            // Closed before it is renamed, as some systems want.
+            // Some systems rename only closed files.
             drop(file);
             temporary.rename(&target)
         }
     }
 }
 
-/// Whether [`write_atomically`] could write here, as far as that can be known before the work: nothing is left behind.
+/// Checks whether [`write_atomically`] could write here, as far as that is known in advance. Leaves no file behind.
 ///
 /// # Errors
-/// Those of the file system.
+/// The errors of the file system.
 ///
 /// ```
 /// use stackless_scene::check_writable;
@@ -58,19 +59,19 @@ pub fn check_writable(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Removes the temporary files of all writes that are under way, and lets none begin: for a program that a signal ends.
-/// A thread that writes waits from then on.
+/// Removes the temporary files of all running writes, and permits no new ones: for a program that ends by a signal.
+/// From then on, a writing thread waits.
 pub fn abandon_writes() {
     let mut live = live();
     live.clear();
     std::mem::forget(live);
 }
 
-/// Where text goes.
+/// The destination of text.
 enum Place {
-    /// What cannot be replaced.
+    /// A stream, which cannot be replaced.
     Stream,
-    /// A file, with the permissions of the one that is there.
+    /// A file, with the permissions of the existing one.
     File { target: PathBuf, permissions: Option<Permissions> },
 }
 
@@ -91,10 +92,10 @@ impl Place {
     }
 }
 
-/// Where a path leads: absolute and without symbolic links, also where nothing is yet.
+/// Resolves a path to an absolute one without symbolic links. The file need not exist.
 ///
 /// # Errors
-/// Those of the file system: the folder must be there.
+/// The errors of the file system: the folder must exist.
 pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     if let Ok(there) = fs::canonicalize(path) {
         return Ok(there);
@@ -107,10 +108,10 @@ pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     Ok(fs::canonicalize(parent)?.join(name))
 }
 
-/// The name to which symbolic links lead, where nothing has that name yet.
+/// Follows symbolic links to a name that does not exist yet.
 fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     let mut end = path.to_path_buf();
-    // As many as Linux follows.
+    // Linux follows 40 links.
     for _ in 0..40 {
         match fs::read_link(&end) {
             Ok(next) => end = end.parent().unwrap_or(Path::new("")).join(next),
@@ -120,7 +121,7 @@ fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::new(io::ErrorKind::InvalidInput, "too many symbolic links"))
 }
 
-/// The temporary files that exist now. A file is removed when it leaves the list, unless it has been renamed.
+/// The existing temporary files. A file is removed when it leaves the list, unless it has been renamed.
 static LIVE: Mutex<Vec<TempPath>> = Mutex::new(Vec::new());
 
 fn live() -> MutexGuard<'static, Vec<TempPath>> {
@@ -133,10 +134,10 @@ struct Temporary(PathBuf);
 impl Temporary {
     fn beside(target: &Path) -> io::Result<(Self, File)> {
         let mut live = live();
-        // Nothing of the target's name: it may be as long as a name can be.
+        // The target's name is not a part of it, because that may already have the greatest length.
         let mut names = tempfile::Builder::new();
         let names = names.prefix(".stackless.").suffix(".tmp");
-        // Created here, so that the file has the permissions of any new file, and errors name no temporary path.
+        // Created directly, so the file has the permissions of any new file, and errors name no temporary path.
         let file = names.make_in(target.with_file_name(""), |path| File::create_new(path))?;
         let (file, path) = file.into_parts();
         let name = path.to_path_buf();
@@ -145,7 +146,7 @@ impl Temporary {
     }
 
     fn rename(&self, target: &Path) -> io::Result<()> {
-        // Held throughout: a signal in between would find a file without a name, or a name without a file.
+        // The lock is held throughout, so a signal never finds a file without a name, or a name without a file.
         let mut live = live();
         self.take(&mut live).map_or(Ok(()), |path| path.persist(target).map_err(|error| error.error))
     }
@@ -214,7 +215,7 @@ mod tests {
         assert_eq!(names.len(), 20, "{names:?}");
     }
 
-    /// No writer touches the temporary file of another one, which may be a thread or a process: this test runs itself.
+    /// A writer never touches the temporary file of another thread or process. The test starts itself as processes.
     #[test]
     fn many_writers_of_one_file_all_succeed() {
         let inherited = std::env::var_os("STACKLESS_TEST_WRITES");
@@ -276,7 +277,7 @@ mod tests {
         assert_eq!(fs::read_to_string(folder.file("out.csv")).unwrap(), "new");
         assert!(fs::symlink_metadata(folder.file("link")).unwrap().is_symlink());
 
-        // A socket stands for a device, which no test should put at risk. It cannot be opened, so that is an error.
+        // A socket replaces a device, which no test should put at risk. It cannot be opened, so that is an error.
         let _socket = UnixListener::bind(folder.file("socket")).unwrap();
         assert!(write_atomically(&folder.file("socket"), |w| w.write_all(b"new")).is_err());
         assert!(fs::metadata(folder.file("socket")).unwrap().file_type().is_socket());

@@ -15,21 +15,22 @@ use std::str::SplitAsciiWhitespace;
 
 /// Reads a mesh from the bytes of a PLY file.
 ///
-/// Of element `vertex` the scalars `x`, `y`, `z` are read, of elements `face` and `tristrips` the list `vertex_indices`
-/// (or `vertex_index`), each of any type; other properties are skipped, and elements of other kinds, which a note counts.
-/// Coordinates are rounded to what is read; in ascii that is the decimal, also of a `float`. A polygon may be concave;
-/// one of fewer than three corners is skipped, which a note says. In a strip, every index below 0 begins another one, and
-/// each triangle counts as a face.
+/// It reads the scalars `x`, `y`, `z` of element `vertex`, and the list `vertex_indices` (or `vertex_index`) of
+/// elements `face` and `tristrips`, each of any type. Other properties are skipped. Other elements are skipped, and a
+/// note counts them. Coordinates are rounded to the precision of the mesh. In ascii the decimal is rounded, even that
+/// of a `float`.
 ///
-/// A byte order mark before the header does not count. The file must be what its header says: in ascii one element a
-/// line (blank lines do not count), and nothing but white space after the last element, since more bytes than promised
-/// mean a wrong count or type.
+/// A polygon may be concave. A polygon of fewer than three corners is skipped, with a note. In a strip, every index
+/// below 0 begins a new strip, and each triangle counts as a face.
+///
+/// A byte order mark before the header is ignored. The file must match its header: in ascii it has one element per line
+/// (except blank lines), and only white space after the last element, because further bytes mean a wrong count or type.
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a header or an ascii file, or the element of a binary one.
 pub fn read_ply<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
     let bytes = without_mark(bytes);
-    // A lone carriage return ends lines only where it ends the first: binary data may begin with a line feed.
+    // Lone carriage returns end lines only if the first line ends with one: binary data may begin with a line feed.
     let lone_return = bytes.starts_with(b"ply\r") && !bytes.starts_with(b"ply\r\n");
     let mut lines = Lines::new(bytes, if lone_return { End::Return } else { End::LineFeed });
     let header = Header::read(&mut lines)?;
@@ -47,7 +48,7 @@ fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<L
     let mut body =
         Body { draft: Draft::<V>::new(room(vertices), room(promised(Kind::Face))), vertices, strip: Vec::new() };
     for element in &header.elements {
-        // Nothing to read, however many the header promises.
+        // Elements without properties have no bytes, whatever their count in the header.
         if element.properties.is_empty() {
             continue;
         }
@@ -69,10 +70,10 @@ fn read_body<V: Position, S: Source>(header: &Header, mut source: S) -> Result<L
     })
 }
 
-/// What has been read so far.
+/// The content read so far.
 struct Body<V: Position> {
     draft: Draft<V>,
-    /// How many vertices the header promises.
+    /// Number of vertices in the header.
     vertices: u64,
     /// The corners of a strip.
     strip: Vec<u32>,
@@ -162,7 +163,7 @@ impl<V: Position> Body<V> {
     }
 }
 
-/// Room for `count` elements, but not more than `available` bytes can hold: a vertex takes at least three bytes, and
+/// Returns the capacity for `count` elements, limited by the `available` bytes. A vertex has at least three bytes, and
 /// a face four.
 fn capacity(count: u64, available: usize) -> usize {
     usize::try_from(count).unwrap_or(usize::MAX).min(available / 3)
@@ -178,21 +179,21 @@ fn whole(value: f64) -> Option<u32> {
     (f64::from(number) == value).then_some(number)
 }
 
-/// Where the elements come from.
+/// A source of elements.
 trait Source {
     /// Goes to the next element.
     fn begin(&mut self) -> Result<(), Fault>;
-    /// The next number of this element; a double holds those of every type.
+    /// Reads the next number of this element. A double represents the numbers of every type.
     fn scalar(&mut self, scalar: Scalar) -> Result<f64, Fault>;
     /// Reads the coordinate of a vertex.
     fn coordinate<F: Float>(&mut self, axis: usize, scalar: Scalar) -> Result<Number<F>, Fault> {
         Number::coordinate(self.scalar(scalar)?, axis)
     }
-    /// Checks that nothing of this element is left.
+    /// Checks that this element has no more content.
     fn end(&mut self) -> Result<(), Fault>;
-    /// What follows the elements read so far.
+    /// Returns the bytes after the elements read so far.
     fn rest(&self) -> &[u8];
-    /// The line that is being read, if there are lines.
+    /// Returns the current line, if there are lines.
     fn line(&self) -> Option<u64>;
 }
 
@@ -201,7 +202,7 @@ struct Binary<'a, const BIG_ENDIAN: bool> {
 }
 
 impl<const BIG_ENDIAN: bool> Binary<'_, BIG_ENDIAN> {
-    /// The next `N` bytes in little-endian order.
+    /// Reads the next `N` bytes, in little-endian order.
     #[inline]
     fn take<const N: usize>(&mut self) -> Result<[u8; N], Fault> {
         let Some((&bytes, rest)) = self.rest.split_first_chunk() else {
@@ -278,7 +279,7 @@ impl Source for Ascii<'_> {
         value.ok_or_else(|| Fault::unexpected(quote(word), expected))
     }
 
-    /// Of a float the decimal counts, which its type may not have.
+    /// Rounds the decimal, even if its declared type is `float`.
     fn coordinate<F: Float>(&mut self, axis: usize, scalar: Scalar) -> Result<Number<F>, Fault> {
         if !matches!(scalar, Scalar::F32 | Scalar::F64) {
             return Number::coordinate(self.scalar(scalar)?, axis);

@@ -1,8 +1,8 @@
-//! Polygons as triangles.
+//! Triangulation of polygons.
 //!
-//! A polygon comes as a fan from its first corner, which is right where all triangles turn the same way. Others are
-//! triangulated by `earcut` as they are seen along the longest axis of their normal, where each coordinate stays what it
-//! is. So triangles have no other corners than the polygon's, and do not leave its plane.
+//! A polygon is first a fan from its first corner. The fan is correct if all its triangles have the same orientation.
+//! Other polygons are projected along the longest axis of their normal, which keeps the other two coordinates, and
+//! triangulated by `earcut`. So triangles have only corners of the polygon and stay in its plane.
 
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
@@ -10,10 +10,10 @@ use glam::{DVec2, DVec3};
 use super::float::Position;
 use super::note::{NoteKind, Notes};
 
-/// Most corners of a polygon that is triangulated: time grows by their square.
+/// The maximum number of corners for triangulation, whose time is quadratic.
 const MOST_CORNERS: usize = 1 << 14;
 
-/// Cuts the polygons among the faces that are not right as fans. A polygon of n corners stays n - 2 triangles.
+/// Triangulates the polygons whose fans are incorrect. A polygon of n corners has n - 2 triangles.
 pub(crate) fn cut<V: Position>(vertices: &[V], triangles: &mut [[u32; 3]], faces: &[u32], notes: &mut Notes) {
     let mut cutter = Cutter::default();
     let mut rest = triangles;
@@ -26,7 +26,7 @@ pub(crate) fn cut<V: Position>(vertices: &[V], triangles: &mut [[u32; 3]], faces
     }
 }
 
-/// Memory that polygons share.
+/// Buffers shared by all polygons.
 #[derive(Default)]
 struct Cutter {
     earcut: Earcut<f64>,
@@ -39,7 +39,7 @@ struct Cutter {
 }
 
 impl Cutter {
-    /// Cuts a polygon that comes as a fan. `false` if that cannot be done.
+    /// Triangulates a polygon given as a fan. Returns `false` if that is impossible.
     fn cut<V: Position>(&mut self, vertices: &[V], fan: &mut [[u32; 3]]) -> bool {
         self.corners.clear();
         self.corners.extend(fan[0].iter().chain(fan[1..].iter().map(|triangle| &triangle[2])));
@@ -53,7 +53,7 @@ impl Cutter {
         }
         self.earcut.earcut(self.flat.iter().map(DVec2::to_array), &[], &mut self.found);
         self.collect();
-        // In a polygon that does not cross itself every triangle turns as it does, but for rounding.
+        // Except for rounding, every triangle of a simple polygon has the orientation of the polygon.
         let (whole, mut wrong) = (sign * turn_of(&self.flat), 0.0);
         for &triangle in &self.cut {
             wrong += (-sign * turn(triangle.map(|corner| self.flat[corner]))).max(0.0);
@@ -65,12 +65,12 @@ impl Cutter {
         is_right
     }
 
-    /// Looks at the corners along the longest axis of the normal, from beside and at a size around 1. Returns how the
-    /// polygon turns: 0 if as much one way as the other. `None` if all corners lie on a line.
+    /// Projects the corners along the longest axis of the normal, and scales them to a size around 1. Returns the
+    /// orientation of the polygon: 0 if both orientations are equal. `None` if all corners lie on a line.
     fn flatten<V: Position>(&mut self, vertices: &[V]) -> Option<f64> {
         let at = |corner: &u32| vertices[*corner as usize].widen();
         let largest = self.corners.iter().map(|corner| at(corner).abs().max_element()).fold(0.0, f64::max);
-        // A power of two, so that nothing is rounded.
+        // A power of two, so scaling does not round.
         let unit = f64::from_bits(largest.to_bits() & 0x7ff0_0000_0000_0000).max(f64::MIN_POSITIVE);
         let points = || self.corners.iter().map(|corner| at(corner) / unit);
         let origin = points().next()?;
@@ -89,7 +89,7 @@ impl Cutter {
         Some(if normal[axis] == 0.0 { 0.0 } else { normal[axis].signum() })
     }
 
-    /// Takes the triangles that were found, and corners that were left out since they lie on a side of one.
+    /// Collects the triangles, and adds omitted corners that lie on a side of one.
     fn collect(&mut self) {
         let Self { corners, found, is_used, ring, cut, .. } = self;
         is_used.clear();
@@ -100,7 +100,7 @@ impl Cutter {
         cut.clear();
         for triangle in found.chunks_exact(3) {
             let mut triangle = [0, 1, 2].map(|i| triangle[i] as usize);
-            // In the order of the polygon.
+            // The order of corners in the polygon.
             triangle.sort_unstable();
             let [a, b, c] = triangle;
             ring.clear();
@@ -117,12 +117,12 @@ impl Cutter {
     }
 }
 
-/// Twice the area of a triangle, negative if it turns right.
+/// Returns twice the area of a triangle, negative if it is clockwise.
 fn turn([a, b, c]: [DVec2; 3]) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Twice the area of a polygon, negative if it turns right.
+/// Returns twice the area of a polygon, negative if it is clockwise.
 fn turn_of(points: &[DVec2]) -> f64 {
     points.windows(2).map(|pair| turn([points[0], pair[0], pair[1]])).sum()
 }

@@ -1,4 +1,4 @@
-//! The property bodies of file readers: whatever the bytes are, a valid mesh or valid rows, or a message of one line.
+//! The property bodies of file readers: any bytes give a valid mesh or valid rows, or a one-line message.
 
 use std::borrow::Cow;
 use std::fmt::{Debug, Write};
@@ -9,29 +9,29 @@ use crate::{Format, Loaded, Point, Position, ReadError, Row, read_gltf, read_obj
 use glam::{DVec3, Vec3};
 use stackless_bvh::geom::{Mesh, Ray};
 
-/// What is wrong with a reader.
+/// A fault of a reader.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FileFault {
-    /// The message has more than one line, or is longer than a terminal's screen.
+    /// The message has several lines, or is longer than a terminal's screen.
     #[error("not a message of one line: {0:?}")]
     Message(String),
-    /// More was read than there are bytes.
+    /// The result has more elements than the file has bytes.
     #[error("{elements} vertices, triangles or rows from {bytes} bytes")]
     Size {
-        /// What was read.
+        /// Number of elements read.
         elements: usize,
-        /// How many bytes there are.
+        /// Number of bytes.
         bytes: usize,
     },
-    /// What was read is not valid, or does not come back when it is written as text and read.
+    /// The result is invalid, or changes when it is written as text and read again.
     #[error("what was read is not valid, or does not come back: {0}")]
     Changed(String),
 }
 
-/// Longest message, in bytes.
+/// The maximum length of a message, in bytes.
 const LONGEST: usize = 2000;
 
-/// A format of meshes.
+/// A mesh format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshFormat {
     /// [`read_ply`].
@@ -54,12 +54,12 @@ impl MeshFormat {
         }
     }
 
-    /// The same file as other editors write it.
+    /// Returns the file as other editors would write it.
     fn rewritten(self, bytes: &[u8]) -> Vec<Vec<u8>> {
         match self {
-            // In UTF-16 marks and ends of lines have other bytes.
+            // In UTF-16, byte order marks and line ends have other bytes.
             Self::Obj | Self::Stl if matches!(as_utf8(bytes), Cow::Owned(_)) => Vec::new(),
-            // What is behind the header may be binary.
+            // The bytes after the header may be binary.
             Self::Ply => rewritten(bytes, false),
             Self::Obj => rewritten(bytes, true),
             Self::Stl if stl::is_text(bytes) => rewritten(bytes, true),
@@ -68,9 +68,9 @@ impl MeshFormat {
     }
 }
 
-/// Reads a mesh. If it is accepted, it is written as OBJ and as PLY, and must come back, bit for bit.
+/// Reads a mesh. An accepted mesh is written as OBJ and as PLY, and must survive the round trip bit for bit.
 ///
-/// Returns whether it is accepted.
+/// Returns whether the mesh is accepted.
 ///
 /// # Errors
 /// The first fault.
@@ -107,9 +107,10 @@ pub fn check_mesh_file(bytes: &[u8], format: MeshFormat) -> Result<bool, FileFau
     Ok(true)
 }
 
-/// Whether both have the same faces, with the same corners, rounded; of a text twice, which may give a neighbour.
+/// Returns whether both meshes have the same faces with the same rounded corners. Text is rounded twice here, which may
+/// give an adjacent float.
 fn is_near(single: &Loaded, double: &Loaded<DVec3>) -> bool {
-    // Where rounding moves its corners, a polygon may be cut in another way.
+    // If rounding moves its corners, a polygon may have another triangulation.
     fn corners(triangles: &[[u32; 3]]) -> Vec<u32> {
         let mut corners = triangles.as_flattened().to_vec();
         if triangles.len() > 1 {
@@ -137,9 +138,9 @@ fn is_same(a: &Mesh, b: &Mesh) -> bool {
     bits(a) == bits(b) && a.triangles() == b.triangles()
 }
 
-/// Reads rays and points, as a file of each format. Accepted rows are written, and must come back.
+/// Reads rays and points in each format. Accepted rows are written, and must survive the round trip.
 ///
-/// Returns whether any format accepts them.
+/// Returns whether any format accepts the bytes.
 ///
 /// # Errors
 /// The first fault.
@@ -186,7 +187,7 @@ fn check_row_file_as<R: Row + Debug>(
     }
 }
 
-/// The same file as other editors write it: with a mark in front, and if it is a text with other ends of lines.
+/// Returns the file as other editors would write it: with a byte order mark, and, if it is text, with other line ends.
 fn rewritten(bytes: &[u8], is_text: bool) -> Vec<Vec<u8>> {
     let mut written = Vec::new();
     if !bytes.starts_with(MARK) {

@@ -1,33 +1,34 @@
-//! What rounding did to the numbers of a file.
+//! Rounding of the numbers of a file.
 
 use stackless_bvh::geom::{Mesh, Ray};
 
 use super::float::{Float, Position};
 use super::number::Number;
 
-/// How many numbers of a file were rounded, and by how much.
+/// Counts of the rounded numbers of a file, with bounds of their errors.
 ///
-/// Numbers are coordinates of vertices, or those of rays. A decimal such as 0.1 is rounded too: no float is that number.
+/// The numbers are coordinates of vertices, or components of rays. A decimal such as 0.1 is also rounded, because no
+/// float equals it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rounding {
-    /// How many numbers were read.
+    /// Numbers read.
     pub numbers: u64,
-    /// How many of them the precision does not have.
+    /// Numbers that the precision cannot represent.
     pub rounded: u64,
-    /// At most how far a coordinate was moved.
+    /// Greatest error of a coordinate.
     pub moved: f64,
-    /// At most how far a ray's direction was turned, or an end of its interval moved, as a part of it.
+    /// Greatest relative error of a ray's direction, or of an end of its interval.
     pub turned: f64,
 }
 
 impl Rounding {
-    /// At most how far a point is moved, in sizes of a scene: a vertex, or a point of a ray as far from its origin as
-    /// the scene is large. `size` is the scene's [`size`].
+    /// Returns a bound of the error of a point, as a fraction of the scene's [`size`]. The point is a vertex, or a
+    /// point of a ray at a distance of `size` from its origin.
     pub fn share(&self, size: f64) -> f64 {
         self.turned.max(if self.moved == 0.0 { 0.0 } else { self.moved / size })
     }
 
-    /// Returns the note about it, if a number was rounded.
+    /// Returns the note about rounded numbers, if there are any.
     pub(crate) fn note<F: Float>(&self, size: f64) -> Option<String> {
         let Self { numbers, rounded, moved, .. } = *self;
         let were = if rounded == 1 { "was" } else { "were" };
@@ -41,14 +42,14 @@ impl Rounding {
         })
     }
 
-    /// Takes the value of a coordinate.
+    /// Counts a coordinate and returns its value.
     #[inline]
     pub(crate) fn coordinate<F: Float>(&mut self, number: Number<F>) -> F {
         self.moved = self.moved.max(number.error);
         self.count(number)
     }
 
-    /// Counts the numbers that became a ray: all of them, or those without its interval.
+    /// Counts the numbers of a ray, with or without its interval.
     pub(crate) fn ray<V: Position>(&mut self, numbers: &[Number<V::Real>], ray: &Ray<V>) {
         let [x, y, z] = ray.direction().widen().to_array();
         for (i, &number) in numbers.iter().enumerate() {
@@ -72,17 +73,17 @@ impl Rounding {
     }
 }
 
-/// The size of a mesh: the diagonal of the box around its vertices.
+/// Returns the size of a mesh: the diagonal of the bounds of its vertices.
 pub fn size<V: Position>(mesh: &Mesh<V>) -> f64 {
     let mut vertices = mesh.vertices().iter().map(|vertex| vertex.widen());
     let first = vertices.next().unwrap_or_default();
     let (least, most) = vertices.fold((first, first), |(least, most), vertex| (least.min(vertex), most.max(vertex)));
-    // A quarter of it is in range.
+    // A quarter of the diagonal cannot overflow.
     let [x, y, z] = (most / 4.0 - least / 4.0).to_array();
     (4.0 * x.hypot(y).hypot(z)).min(f64::MAX)
 }
 
-/// Two digits of a number, rounded up.
+/// Formats a number with two digits, rounded up.
 fn above(number: f64) -> String {
     let number = number.max(f64::from_bits(1));
     let nearest = format!("{number:.1e}");

@@ -1,4 +1,4 @@
-//! Files of rays or points to read, and of answers to write: comma-separated values, JSON lines, `NumPy` arrays.
+//! Files of rays, points and answers: comma-separated values, JSON lines, `NumPy` arrays.
 
 mod csv;
 mod json_lines;
@@ -20,7 +20,7 @@ use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// Longest line, in bytes: eight numbers take a few hundred.
+/// The maximum length of a line, in bytes. Eight numbers take a few hundred.
 const LONGEST: usize = 4096;
 
 /// The format of a file of rays, points or answers.
@@ -37,10 +37,10 @@ pub enum Format {
 }
 
 impl Format {
-    /// All.
+    /// All formats.
     pub const ALL: [Self; 3] = [Self::Csv, Self::JsonLines, Self::Npy];
 
-    /// Its name, which is also the extension of its files.
+    /// Returns the name, which is also the extension of files.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Csv => "csv",
@@ -49,10 +49,10 @@ impl Format {
         }
     }
 
-    /// What the extension of a file says; `None` without one.
+    /// Returns the format of a file's extension; `None` without an extension.
     ///
     /// # Errors
-    /// [`UnknownFormat`]: another extension.
+    /// [`UnknownFormat`]: the extension is unknown.
     pub fn of(path: &Path) -> Result<Option<Self>, UnknownFormat> {
         let parse = |extension: &std::ffi::OsStr| {
             let extension = extension.to_string_lossy().to_ascii_lowercase();
@@ -72,7 +72,7 @@ impl FromStr for Format {
 }
 
 impl Format {
-    /// Another extension that is in use.
+    /// Returns another common extension.
     fn other_name(self) -> Option<&'static str> {
         (self == Self::JsonLines).then_some("ndjson")
     }
@@ -84,12 +84,12 @@ impl fmt::Display for Format {
     }
 }
 
-/// A name or an extension of no format.
+/// An unknown name or extension.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{0}, expected csv, jsonl or npy")]
 pub struct UnknownFormat(String);
 
-/// Why a file holds no rays or points. One line that begins with the file.
+/// Errors of reading rays or points. The message is one line that begins with the file.
 #[derive(Debug, thiserror::Error)]
 pub enum RowFileError {
     /// The file is missing or cannot be read.
@@ -97,7 +97,7 @@ pub enum RowFileError {
     Io {
         /// The file.
         file: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         error: io::Error,
     },
     /// The file has no rows.
@@ -110,7 +110,7 @@ pub enum RowFileError {
         /// The format of the file.
         format: Format,
     },
-    /// A line or a row is wrong.
+    /// A line or a row is invalid.
     #[error("{}: {} {number}: {fault}", one_line(.file), if *.format == Format::Npy { "row" } else { "line" })]
     Line {
         /// The file.
@@ -119,64 +119,64 @@ pub enum RowFileError {
         format: Format,
         /// Number of the line, counted from 1, or of the row, counted from 0.
         number: u64,
-        /// What is wrong.
+        /// The fault.
         fault: RowFault,
     },
-    /// The bytes before the rows are wrong.
+    /// The bytes before the rows are invalid.
     #[error("{}: found {found}, expected {expected}", one_line(.file))]
     Array {
         /// The file.
         file: PathBuf,
-        /// What stands there, shortened.
+        /// The text found, shortened.
         found: String,
-        /// What should.
+        /// The expected text.
         expected: &'static str,
     },
 }
 
-/// Why a line or a row is no ray or point.
+/// Faults of a line or a row.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RowFault {
     /// The line is longer than any row.
     #[error("more than {LONGEST} bytes, expected a {}", .0.row(*.1))]
     Length(Kind, Format),
-    /// Too many or too few columns.
+    /// The number of columns is wrong.
     #[error("{found} columns, expected {}: {}", kind.expected(*.first), .kind.columns().join(","))]
     Columns {
         /// The kind of row.
         kind: Kind,
-        /// How many columns there are.
+        /// Number of columns found.
         found: usize,
-        /// How many the first row has.
+        /// Number of columns in the first row.
         first: Option<usize>,
     },
-    /// A column is not such a number as it should be.
+    /// A column is not a valid number.
     #[error("column {column}: found {found}, expected {expected} in {precision} precision")]
     Number {
-        /// Name of the column.
+        /// The name of the column.
         column: &'static str,
-        /// What stands there, shortened.
+        /// The text found, shortened.
         found: String,
-        /// What should.
+        /// The expected text.
         expected: &'static str,
-        /// What is read: `single` or `double`.
+        /// The precision: `single` or `double`.
         precision: &'static str,
     },
-    /// The line is not such an object as it should be.
+    /// The line is not a valid JSON object.
     #[error("{found}, expected a {}", .kind.row(Format::JsonLines))]
     Object {
         /// The kind of row.
         kind: Kind,
-        /// What is wrong with it.
+        /// A description of the fault.
         found: String,
     },
-    /// The file is cut off.
+    /// The file is truncated.
     #[error("the file ends, expected {expected} rows")]
     Ends {
-        /// How many the array has.
+        /// Number of rows in the array.
         expected: u64,
     },
-    /// The numbers are not a ray.
+    /// The numbers are not a valid ray.
     #[error(transparent)]
     Ray(#[from] RayError),
 }
@@ -186,29 +186,30 @@ pub enum RowFault {
 pub struct LoadedRows<R> {
     /// The rows, at least one.
     pub rows: Vec<R>,
-    /// How many numbers were rounded, and by how much.
+    /// The number of rounded numbers, and bounds of their errors.
     pub rounding: Rounding,
 }
 
 impl<R: Row> LoadedRows<R> {
-    /// Returns the note for the user: one line that begins with the file. `None` if nothing was rounded. `size` is the
-    /// [`size`](super::size) of the scene that the rows are for.
+    /// Returns the note for the user, one line that begins with the file; `None` if nothing was rounded. `size` is the
+    /// [`size`](super::size) of the scene for these rows.
     pub fn note(&self, file: &Path, size: f64) -> Option<String> {
         let rounded = self.rounding.note::<R::Real>(size)?;
         Some(format!("{}: {rounded}", one_line(file)))
     }
 }
 
-/// Reads rays or points from a file: `R` is [`Ray`](stackless_bvh::geom::Ray) or [`Point`].
+/// Reads rays or points from a file. `R` is [`Ray`](stackless_bvh::geom::Ray) or [`Point`].
 ///
-/// In comma-separated values each line of rays is `ox,oy,oz,dx,dy,dz,tmin,tmax`. Without the last two columns in the first
-/// line, all lines lack them, and intervals are from 0 to infinity. Each line of points is `x,y,z`. These names may stand
-/// above the rows. Blank lines and lines that begin with `#` are skipped. A line ends with a line feed, a carriage return,
-/// or both, and is at most 4 KiB long; a byte order mark does not count.
+/// - Comma-separated values: a line of rays is `ox,oy,oz,dx,dy,dz,tmin,tmax`, and a line of points is `x,y,z`. The
+///   first line may contain these names. If the first line of numbers omits the last two columns, all lines must, and
+///   intervals are from 0 to infinity. Blank lines and lines that begin with `#` are skipped.
+/// - JSON lines: a ray has `origin` and `direction`, and optionally `tmin` and `tmax`, where null means infinity. A
+///   point is `{"point":[x,y,z]}`.
+/// - `NumPy` arrays: rows of 6 or 8 numbers for rays and of 3 for points (`<f4` or `<f8`).
 ///
-/// In JSON lines a ray has `origin` and `direction`, and perhaps `tmin` and `tmax`, where null is infinity; a point is
-/// `{"point":[x,y,z]}`. A `NumPy` array has rows of 6 or 8 numbers for rays and of 3 for points (`<f4` or `<f8`). Numbers
-/// are rounded to the precision of `R`; only `tmax` may be infinite.
+/// A line of text ends with a line feed, a carriage return, or both characters, and has at most 4 KiB. A byte order
+/// mark is ignored. Numbers are rounded to the precision of `R`; only `tmax` may be infinite.
 ///
 /// ```
 /// use glam::Vec3;
@@ -220,16 +221,16 @@ impl<R: Row> LoadedRows<R> {
 /// ```
 ///
 /// # Errors
-/// [`RowFileError`]; for a bad line it names line and column.
+/// [`RowFileError`]. For an invalid line it names line and column.
 pub fn read_rows<R: Row>(path: &Path, format: Format) -> Result<LoadedRows<R>, RowFileError> {
     let file = File::open(path).map_err(|error| RowFileError::Io { file: path.into(), error })?;
     read_rows_from(BufReader::new(file), path, format)
 }
 
-/// Reads as [`read_rows`] from any reader; `name` stands for the file in errors.
+/// Reads rays or points from any reader, like [`read_rows`]. `name` replaces the file in errors.
 ///
 /// # Errors
-/// As [`read_rows`].
+/// The errors of [`read_rows`].
 pub fn read_rows_from<R: Row>(
     mut reader: impl BufRead,
     name: impl AsRef<Path>,
@@ -250,10 +251,10 @@ pub fn read_rows_from<R: Row>(
     Ok(loaded)
 }
 
-/// The numbers of a row: of all columns, or of the first ones.
+/// The numbers of a row: of all columns, or without the optional ones.
 type Numbers<R> = Vec<Number<<R as Row>::Real>>;
 
-/// Reads a file line by line. `read` returns `None` for a line that is no row.
+/// Reads a file line by line. `read` returns `None` for a line without a row.
 fn lines<R: Row>(
     reader: &mut impl BufRead,
     file: &Path,
@@ -283,7 +284,7 @@ fn lines<R: Row>(
     Ok(loaded)
 }
 
-/// Reads a line without what ends it, and of one that is too long no more than shows it. `false` at the end.
+/// Reads a line without its line end, and only the beginning of a line that is too long. Returns `false` at the end.
 fn read_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
     line.clear();
     let mut is_end = true;
@@ -315,7 +316,7 @@ impl<R: Row> LoadedRows<R> {
         Self { rows: Vec::new(), rounding: Rounding::default() }
     }
 
-    /// Adds the row of these numbers.
+    /// Adds a row with these numbers.
     fn push(&mut self, numbers: &[Number<R::Real>]) -> Result<(), RowFault> {
         for (number, column) in numbers.iter().zip(R::KIND.columns()) {
             check(*number, column, || match number.error {
@@ -328,7 +329,7 @@ impl<R: Row> LoadedRows<R> {
     }
 }
 
-/// Refuses what no column, or not this one, may be.
+/// Rejects numbers that are invalid in every column, or in this one.
 fn check<F: Float>(number: Number<F>, column: &'static str, found: impl FnOnce() -> String) -> Result<(), RowFault> {
     let may_be_infinite = column == "tmax";
     if is_finite(number.value) || may_be_infinite && number == Number::exact(F::INFINITY) {

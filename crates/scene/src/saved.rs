@@ -1,9 +1,15 @@
 //! A scene as bytes: its mesh, and its hierarchy in the format of spec/bvh-file.md.
 //!
-//! All numbers are little-endian. `SBVHMESH`; the version (1) and the bytes of a coordinate (4 or 8), 32 bits each; the
-//! numbers of vertices and of faces, 64 bits each; the coordinates of the vertices; the indices of the faces, 32 bits
-//! each; the bytes of the hierarchy; a checksum of all bytes before it, 64 bits. The Python package writes this format
-//! also.
+//! The format, with all numbers in little-endian order:
+//! - `SBVHMESH`
+//! - the version (1) and the bytes of a coordinate (4 or 8), 32 bits each
+//! - the numbers of vertices and of faces, 64 bits each
+//! - the coordinates of the vertices
+//! - the indices of the faces, 32 bits each
+//! - the bytes of the hierarchy
+//! - a checksum of all bytes before it, 64 bits
+//!
+//! The Python package also writes this format.
 
 use std::collections::TryReserveError;
 
@@ -17,24 +23,24 @@ const MAGIC: &[u8; 8] = b"SBVHMESH";
 const VERSION: u32 = 1;
 const HEADER_BYTES: usize = 32;
 
-/// Why bytes are not a saved scene.
+/// Errors of decoding a saved scene.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SavedError {
-    /// The first bytes are others.
+    /// The magic number is wrong.
     #[error("not a saved scene: it does not begin with SBVHMESH")]
     Magic,
-    /// A version of the format that this program does not read.
+    /// The version is not supported.
     #[error("version {0} of the format, expected {VERSION}")]
     Version(u32),
-    /// The scene is of the other precision.
+    /// The scene has the other precision.
     #[error("coordinates of {found} bytes, expected {expected}")]
     Precision {
-        /// Bytes of a coordinate, as the header says.
+        /// Bytes per coordinate in the header.
         found: u32,
-        /// Those of the precision that was asked for.
+        /// Bytes per coordinate of the requested precision.
         expected: u32,
     },
-    /// The header promises more bytes.
+    /// There are fewer bytes than the header declares.
     #[error("{0} bytes are fewer than the header says")]
     Short(usize),
     /// The bytes have changed since they were written.
@@ -42,21 +48,21 @@ pub enum SavedError {
     Checksum {
         /// The checksum at the end.
         stored: u64,
-        /// That of the bytes before it.
+        /// The checksum of the bytes before it.
         found: u64,
     },
-    /// Vertices and faces are not a mesh.
+    /// Vertices and faces are not a valid mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The rest is not a hierarchy.
+    /// The remaining bytes are not a valid hierarchy.
     #[error(transparent)]
     Hierarchy(#[from] WideBvhFileError),
-    /// The hierarchy is not one over the mesh.
+    /// The hierarchy is not of this mesh.
     #[error(transparent)]
     OtherMesh(#[from] WideBvhError),
 }
 
-/// The bytes of a scene.
+/// Encodes a scene.
 ///
 /// ```
 /// use glam::DVec3;
@@ -72,7 +78,7 @@ pub enum SavedError {
 /// ```
 ///
 /// # Errors
-/// A lack of memory for them.
+/// There is not enough memory for the bytes.
 pub fn scene_to_bytes<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>) -> Result<Vec<u8>, TryReserveError> {
     let mesh_bytes = size_of_val(mesh.vertices()) + size_of_val(mesh.triangles());
     let mut bytes = Vec::new();
@@ -88,11 +94,11 @@ pub fn scene_to_bytes<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>
     Ok(bytes)
 }
 
-/// The scene that bytes hold. Everything is checked, also that the hierarchy is one over the mesh. Nothing is allocated
-/// before the length is known to be right.
+/// Decodes a scene and checks all of it, including that the hierarchy is of the mesh. Nothing is allocated before the
+/// length is known to be right.
 ///
 /// # Errors
-/// What [`SavedError`] lists.
+/// The errors of [`SavedError`].
 pub fn scene_from_bytes<V: Precision + Stored>(bytes: &[u8]) -> Result<(Mesh<V>, WideBvh<8, V>), SavedError> {
     let too_short = || SavedError::Short(bytes.len());
     if !bytes.starts_with(MAGIC) {
@@ -122,12 +128,12 @@ pub fn scene_from_bytes<V: Precision + Stored>(bytes: &[u8]) -> Result<(Mesh<V>,
     Ok((mesh, bvh))
 }
 
-/// Splits off `count` pieces of a size.
+/// Splits off `count` elements of a size in bytes.
 fn take(body: &[u8], count: u64, size: usize) -> Option<(&[u8], &[u8])> {
     body.split_at_checked(usize::try_from(count).ok()?.checked_mul(size)?)
 }
 
-/// The word at an offset; 0 beyond the end.
+/// Returns the word at an offset, or 0 beyond the end.
 fn word(bytes: &[u8], at: usize) -> u32 {
     bytes.get(at..).and_then(|bytes| bytes.first_chunk()).map_or(0, |word| u32::from_le_bytes(*word))
 }
@@ -138,7 +144,7 @@ mod tests {
 
     use super::*;
 
-    /// A changed byte, and a length that is too small, are refused, wherever.
+    /// A changed byte at any offset and any shorter length are rejected.
     #[test]
     fn damaged_bytes_are_refused() {
         let mesh = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]).unwrap();

@@ -12,7 +12,7 @@ use super::note::NoteKind;
 use super::number::Number;
 use super::text::{End, Lines, as_utf8, quote};
 
-/// Bytes before the triangles of a binary file: a text of any kind, and how many there are.
+/// Bytes before the triangles of a binary file: a free text, and the number of triangles.
 const HEADER: usize = 84;
 
 /// Bytes of a triangle: normal, three corners, attributes.
@@ -20,10 +20,10 @@ const TRIANGLE: usize = 50;
 
 /// Reads a mesh from the bytes of an STL file.
 ///
-/// A file is binary if it is as long as its number of triangles says, or does not begin as a text. A text begins with
-/// `solid`, in either case of letters, as all of its words. Corners with the same coordinates become one vertex. Normals
-/// and attributes are skipped, and so are bytes after the last triangle of a binary file, which a note counts. A text may
-/// have several solids: each is a part.
+/// A file is binary if its length matches its number of triangles, or if it does not begin as text. Text begins with
+/// `solid`; its words may be upper or lower case. Corners with equal coordinates become one vertex. Normals and
+/// attributes are skipped. Bytes after the last triangle of a binary file are also skipped, and a note counts them.
+/// Text may have several solids: each is a part.
 ///
 /// # Errors
 /// [`ReadError`], naming the line of a text, or the triangle of a binary file.
@@ -34,11 +34,11 @@ pub fn read_stl<V: Position>(bytes: &[u8]) -> Result<Loaded<V>, ReadError> {
     } else {
         read_binary(bytes, &mut corners)?;
     }
-    // A coordinate that is not finite is an error where it stands, since a triangle has it.
+    // Every vertex belongs to a triangle, so a coordinate that is not finite is an error where it is read.
     corners.draft.finish(|_, _| Place::End)
 }
 
-/// Whether a file is a text: no number of triangles fits, and where it begins there is no byte that text does not have.
+/// Returns whether a file is text: its length matches no number of triangles, and it begins without non-text bytes.
 pub(super) fn is_text(bytes: &[u8]) -> bool {
     let is_binary = promised(bytes).is_some_and(|count| bytes.len() == HEADER + TRIANGLE * count);
     let start = as_utf8(&bytes[..bytes.len().min(6 * HEADER)]);
@@ -46,7 +46,7 @@ pub(super) fn is_text(bytes: &[u8]) -> bool {
     begins && !is_binary && !start.contains(&0)
 }
 
-/// How many triangles a binary file says that it has.
+/// Returns the number of triangles in the header of a binary file.
 fn promised(bytes: &[u8]) -> Option<usize> {
     let count = bytes.get(HEADER - 4..)?.first_chunk()?;
     Some(u32::from_le_bytes(*count) as usize)
@@ -55,7 +55,7 @@ fn promised(bytes: &[u8]) -> Option<usize> {
 fn read_binary<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<(), ReadError> {
     let count = promised(bytes);
     let start = &bytes[..bytes.len().min(HEADER)];
-    // What is printable has no number of triangles, but for one that is far beyond any file.
+    // Printable bytes as a number of triangles would be far beyond any file.
     let Some(count) = count.filter(|_| start.contains(&0) || !start.is_ascii()) else {
         let is_text = bytes.is_ascii() && !bytes.contains(&0);
         let words = String::from_utf8_lossy(if is_text { bytes } else { &[] });
@@ -84,7 +84,7 @@ fn read_binary<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<()
 }
 
 fn read_text<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<(), ReadError> {
-    // What must follow, of the words that begin lines.
+    // The expected first word of the next line.
     let mut wanted = "solid";
     let mut count = 0;
     let mut lines = Lines::new(bytes, End::Any);
@@ -124,7 +124,7 @@ fn read_text<V: Position>(bytes: &[u8], corners: &mut Corners<V>) -> Result<(), 
 
 struct Corners<V: Position> {
     draft: Draft<V>,
-    /// The vertices by their coordinates. With the hash of `std`, reading takes seven times as long.
+    /// Vertices by coordinates. With the hash function of `std`, reading takes seven times as long.
     known: HashMap<[u64; 3], u32>,
     /// Coordinates of the next corner.
     coordinates: Vec<V::Real>,
@@ -139,10 +139,10 @@ impl<V: Position> Corners<V> {
         words.next().map_or(Ok(()), |word| Err(Fault::unexpected(quote(word), "the end of the line")))
     }
 
-    /// The next coordinate, of the next corner of the next triangle.
+    /// Adds a coordinate of the next corner.
     fn coordinate(&mut self, number: Number<V::Real>) {
         let value = self.draft.rounding.coordinate(number);
-        // Zero has one sign, so that it is one corner.
+        // Both zeros are one coordinate.
         let zero = V::Real::default();
         self.coordinates.push(if value == zero { zero } else { value });
         let [x, y, z] = self.coordinates[..] else { return };

@@ -1,11 +1,11 @@
-//! Loading from files, and what the tests of the readers share.
+//! Tests of loading files, and helpers for the tests of the readers.
 
 use super::*;
 use glam::DVec3;
 use std::fs;
 use std::path::PathBuf;
 
-/// A folder of one test, removed at its end.
+/// A folder for one test, removed at its end.
 pub(super) struct Folder(PathBuf);
 
 impl Folder {
@@ -49,8 +49,8 @@ impl Random {
     }
 }
 
-/// Changes, removes and doubles bytes of a valid file, in every second case only from `body` on: the reader answers
-/// with a mesh or with a message of one line.
+/// Changes, removes and duplicates bytes of a valid file, in every second case only from `body` on. The reader must
+/// return a mesh or a one-line message.
 pub(super) fn survives_corruption(valid: &[u8], body: usize, format: MeshFormat, seeds: u64) {
     let (mut meshes, mut refusals) = (0, 0);
     for seed in 0..seeds {
@@ -73,7 +73,7 @@ pub(super) fn survives_corruption(valid: &[u8], body: usize, format: MeshFormat,
             Err(fault) => panic!("seed {seed}: {fault}"),
         }
     }
-    // Neither outcome is rare, or the changes would reach nothing or break everything.
+    // Both outcomes must occur often. Otherwise the changes would have no effect, or break every file.
     assert!(meshes > seeds / 50 && refusals > seeds / 50, "{meshes} meshes, {refusals} refusals");
 }
 
@@ -159,13 +159,13 @@ fn coordinates_that_are_rounded_are_counted() {
     assert_eq!(read("double", "0.25"), (0, None));
     for kind in ["float", "double"] {
         assert_eq!(read(kind, "6400000.1"), (2, said(2, "1.2e-8 of the scene's size")));
-        // That is the file of the last call.
+        // The file of the last call.
         let double = load::<DVec3>(&folder.file("mesh.ply")).unwrap();
         assert_eq!((double.rounding.rounded, double.mesh.vertices()[0]), (2, DVec3::X * 6_400_000.1));
     }
 }
 
-/// A header may promise what a file with holes seems to hold: nothing is read of it.
+/// The header declares as much data as the sparse file seems to have. No data is read.
 #[cfg(unix)]
 #[test]
 fn a_file_of_holes_costs_nothing() {
@@ -185,7 +185,7 @@ fn a_file_of_holes_costs_nothing() {
     assert!(error.to_string().contains("holes.ply: more than 4294967296 bytes"), "{error}");
 }
 
-/// What has no size is read up to the bound.
+/// A file without a size is read up to the limit.
 #[cfg(unix)]
 #[test]
 fn an_endless_file_ends() {

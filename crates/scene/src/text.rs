@@ -1,4 +1,4 @@
-//! Lines of a file, and its text in messages.
+//! Lines of a file, and quotations of its text in messages.
 
 use std::borrow::Cow;
 use std::io;
@@ -6,13 +6,13 @@ use std::path::Path;
 
 use super::read_bytes;
 
-/// Most bytes of a text that is read whole: 64 MiB.
+/// The maximum size of text that is read as a whole: 64 MiB.
 const MOST_TEXT: u64 = 64 << 20;
 
-/// Reads a text that is to be parsed as a whole (JSON), without the mark that some editors write before UTF-8.
+/// Reads text that is parsed as a whole (JSON), without a UTF-8 byte order mark.
 ///
 /// # Errors
-/// Those of the file system; more than 64 MiB; no UTF-8.
+/// An error of the file system; more than 64 MiB; invalid UTF-8.
 pub fn read_text(path: &Path) -> io::Result<String> {
     let bytes = read_bytes(path, MOST_TEXT)?;
     let bytes =
@@ -22,15 +22,15 @@ pub fn read_text(path: &Path) -> io::Result<String> {
     Ok(text.to_owned())
 }
 
-/// What some editors write before UTF-8.
+/// The byte order mark of UTF-8.
 pub(super) const MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// The bytes without the mark.
+/// Removes the byte order mark.
 pub(super) fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(MARK).unwrap_or(bytes)
 }
 
-/// A text as UTF-8, without the mark. It may be UTF-16, which a mark tells, or a first character of ASCII.
+/// Converts text to UTF-8 without byte order mark. A mark, or an ASCII character at the beginning, identifies UTF-16.
 pub(super) fn as_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     let unit: fn([u8; 2]) -> u16 = match bytes {
         [0xFF, 0xFE, ..] | [1..=255, 0, ..] => u16::from_le_bytes,
@@ -42,7 +42,7 @@ pub(super) fn as_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
     Cow::Owned(without_mark(text.as_bytes()).to_vec())
 }
 
-/// The lines of a file with their numbers, without terminator and surrounding white space.
+/// The numbered lines of a file, without line ends and surrounding white space.
 #[derive(Clone)]
 pub(super) struct Lines<'a> {
     rest: &'a [u8],
@@ -50,7 +50,7 @@ pub(super) struct Lines<'a> {
     end: End,
 }
 
-/// What ends a line. A carriage return before a line feed belongs to it.
+/// A line end. A carriage return before a line feed belongs to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     /// A line feed.
@@ -76,12 +76,12 @@ impl<'a> Lines<'a> {
         Self { rest: bytes, number: 0, end }
     }
 
-    /// Number of the line that came last, counted from 1.
+    /// Returns the number of the last line, counted from 1.
     pub(super) fn number(&self) -> u64 {
         self.number
     }
 
-    /// What follows the line that came last.
+    /// Returns the bytes after the last line.
     pub(super) fn rest(&self) -> &'a [u8] {
         self.rest
     }
@@ -107,14 +107,14 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Text from a file for a message: quoted, one line, shortened.
+/// Quotes text from a file in a message: on one line, shortened.
 pub(super) fn quote(text: &str) -> String {
     const SHOWN: usize = 80;
     let shown: String = text.chars().take(SHOWN).collect();
     if shown.len() < text.len() { format!("{shown:?}...") } else { format!("{shown:?}") }
 }
 
-/// What is wrong with JSON, for a message: the column, and one line without the middle if a text of the file makes it long.
+/// Describes a JSON error in a message: the column, and one line, with its middle omitted if it quotes long text.
 pub(super) fn of_json(error: &serde_json::Error) -> String {
     const BEGIN: usize = 80;
     const END: usize = 160;
@@ -128,12 +128,12 @@ pub(super) fn of_json(error: &serde_json::Error) -> String {
     format!("column {}: {what}", error.column())
 }
 
-/// A path for a message: as it is, but for control characters.
+/// Escapes the control characters of a path for a message.
 pub(super) fn one_line(path: &Path) -> String {
     escaped(&path.to_string_lossy())
 }
 
-/// A text without control characters, which could break the line.
+/// Escapes control characters, which could break the line.
 fn escaped(text: &str) -> String {
     let mut line = String::new();
     for character in text.chars() {

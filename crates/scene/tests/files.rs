@@ -1,14 +1,14 @@
-//! One small file of each kind that the formats have, and of each kind of mistake: what is read, and what is said.
+//! Small files, one for each feature and each mistake of the formats, with the expected mesh or message.
 
 use std::path::Path;
 
 use glam::DVec3;
 use stackless_scene::{Loaded, MeshFormat, check_mesh_file, load};
 
-/// For each file in `files` what it holds, or why it is refused. `UPDATE=1` writes it.
+/// The mesh or the message for each file in `files`. `UPDATE=1` writes it.
 const OUTCOMES: &str = include_str!("files.txt");
 
-/// The corners of each triangle; faces, where they are no longer the triangles; parts; notes.
+/// Describes the corners of each triangle, the faces unless they equal the triangles, the parts and the notes.
 fn describe(loaded: &Loaded<DVec3>) -> Vec<String> {
     let corners = |i| loaded.mesh.triangle(i).map(|DVec3 { x, y, z }| format!("{x},{y},{z}")).join(" ");
     let mut lines: Vec<_> = (0..loaded.mesh.triangles().len()).map(corners).collect();

@@ -1,12 +1,12 @@
-//! Is your traversal right? This one keeps key and trail and finds the next node from the root; the suite judges it.
+//! A custom traversal, checked by the suite: it stores key and trail, and finds the next node from the root.
 //!
-//! `cargo run --release -p stackless-suite --example foreign_traversal`. As a program that answers `stackless conform`, `main` would be
-//! `suite::serve(&mut Mine, stdin, stdout)`.
+//! `cargo run --release -p stackless-suite --example foreign_traversal`. To make it a program for `stackless conform`,
+//! let `main` call `suite::serve(&mut Mine, stdin, stdout)`.
 
 use serde_json::{Map, Value, json};
 use stackless_suite::{Answer, Ask, Hello, Implementation, Level, Limits, PROTOCOL, author, judge};
 
-/// What we are to check.
+/// The implementation to check.
 struct Mine;
 
 impl Implementation for Mine {
@@ -31,7 +31,7 @@ impl Implementation for Mine {
     }
 }
 
-/// The traversal under test, with its own tree and its own loop; `None` where the tree is too deep for its word.
+/// The traversal under test, with its own tree and loop. Returns `None` if the tree is too deep for its word.
 fn traverse(children: &[Option<[u32; 2]>], decisions: &[char]) -> Option<Vec<String>> {
     if depth(children) > 63 {
         return None;
@@ -58,13 +58,13 @@ fn traverse(children: &[Option<[u32; 2]>], decisions: &[char]) -> Option<Vec<Str
     }
 }
 
-/// The node with a key, from the root down.
+/// Returns the node with a key, found from the root down.
 fn walk_down(children: &[Option<[u32; 2]>], key: u64) -> usize {
     let step = |node: usize, level: u32| children[node].map_or(node, |pair| pair[(key >> level & 1) as usize] as usize);
     (0..key.ilog2()).rev().fold(0, step)
 }
 
-/// Edges on the longest path.
+/// Returns the number of edges on the longest path.
 fn depth(children: &[Option<[u32; 2]>]) -> u32 {
     let (mut deepest, mut pending) = (0, vec![(0, 0)]);
     while let Some((node, depth)) = pending.pop() {
@@ -74,7 +74,7 @@ fn depth(children: &[Option<[u32; 2]>]) -> u32 {
     deepest
 }
 
-/// Asks all cases of the level and profile that `Mine` names, and says which are wrong.
+/// Runs all cases of the level and profile of `Mine`, and reports the failed ones.
 pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let hello = Mine.hello();
     let suite = author::suite();

@@ -1,11 +1,13 @@
-//! Writes cases, and what every traversal sees of them: node, key, trail, counter, second trail and register at each
-//! visit, also at those on the way down again.
+//! Writes cases, and the states of every traversal on them: node, key, trail, counter, second trail and register at
+//! each visit, also on the way down after a restart.
 //!
-//! The machines that are extracted from the proofs read it and see for themselves (spec/rocq/extract). Usage:
-//! `visits CASES SEED [I/N]`. First come all small trees, trees as deep as words carry, and the worst cases that are
-//! known (`tests/data/worst`); then as many as CASES says: random ones, some of them deep, combs with long climbs, some drawn from bytes
-//! as a fuzzer does, and worst cases with some answers changed. Every traversal that can be put aside is, once in each
-//! case, and another one goes on.
+//! The machines extracted from the proofs (spec/rocq/extract) read these cases and compute the states independently.
+//! Usage: `visits CASES SEED [I/N]`.
+//!
+//! The list begins with all small trees, trees at the depth limits of the words, and the known worst cases
+//! (`tests/data/worst`). CASES further cases follow: random ones, some of them deep, combs with long climbs, cases
+//! drawn from bytes like a fuzzer's, and worst cases with some changed answers. Every traversal that can be paused is
+//! paused once in each case, and another one resumes it.
 
 use std::env::args;
 use std::fmt::Write as _;
@@ -70,7 +72,7 @@ impl List {
             }
         }
         files.sort();
-        // The others are of rays.
+        // The other files are cases of rays.
         let worst: Vec<Case> = files.iter().filter_map(|path| Replay::load(path).ok()?.case().ok()).collect();
         let listed = boundary_cases(seed).chain(worst.iter().cloned()).collect();
         Ok(Self { small: AllCases::up_to(Self::SMALL), listed, worst, drawn, seed })
@@ -89,7 +91,7 @@ impl List {
         let mut rng = Rng::new(mix(seed));
         match drawn % 10 {
             0..3 => Case::random(seed, CaseOptions::default()),
-            // As deep as 128 bits carry.
+            // The depth limit of 128-bit words.
             3 => Case::random(seed, CaseOptions { depth: Some(rng.below(128) as u32), ..CaseOptions::default() }),
             4 | 5 => {
                 let depth = rng.below(128) as u32;
@@ -107,7 +109,7 @@ impl List {
         }
     }
 
-    /// What a record says of the run, but for the counts (campaign/README.md).
+    /// Returns the record of the run, except for the counts (campaign/README.md).
     fn run(&self, range: &Range<u64>) -> Value {
         json!({
             "command": "differ",
@@ -120,7 +122,7 @@ impl List {
     }
 }
 
-/// A tape with up to four answers or orders changed; `None` if what comes out is no tape.
+/// Changes up to four answers or orders of a tape; `None` if the result is not a valid tape.
 fn changed(case: &Case, rng: &mut Rng) -> Option<Tape> {
     let mut cells = case.tape.cells().to_vec();
     for _ in 0..=rng.below(4) {
@@ -134,7 +136,7 @@ fn changed(case: &Case, rng: &mut Rng) -> Option<Tape> {
     Tape::from_cells(&case.tree, cells)
 }
 
-/// A case, and a line for each traversal in each word that carries its tree.
+/// Formats a case, with a line for each traversal and each word that can represent its tree.
 fn text(case: &Case) -> String {
     let mut text = format!("case {} {}", u8::from(case.any), case.octant);
     let mut pending = vec![case.tree.root()];
@@ -144,7 +146,7 @@ fn text(case: &Case) -> String {
         let flags =
             u8::from(node.is_leaf()) | u8::from(cell.miss) << 1 | u8::from(cell.right_first) << 2 | cell.axis << 3;
         let [exit, hit] = [cell.exit, cell.hit].map(|distance| distance.map_or(0, |t| u64::from(t) + 1));
-        // Nothing can go wrong when a text is written to.
+        // Writing to a string cannot fail.
         let _ = write!(text, " {flags} {} {exit} {hit} {slot}", cell.enter);
         if !node.is_leaf() {
             let [left, right] = case.tree.children(node);
@@ -175,11 +177,11 @@ fn text(case: &Case) -> String {
     text
 }
 
-/// Most nodes of a tree in which restarts are compared: in deep trees their machine, which works on words of single
-/// bits, takes minutes.
+/// The maximum number of nodes for comparing restarts. In deep trees their machine, which uses words of single bits,
+/// takes minutes.
 const SMALL: usize = 41;
 
-/// Deepest tree with an implicit layout; in others the addresses are looked up.
+/// The deepest tree with an implicit layout. In deeper trees the addresses are looked up.
 const IMPLICIT_DEPTH: u32 = 13;
 
 struct Run<'c> {
@@ -195,7 +197,7 @@ struct Line<'c> {
 }
 
 impl WithWord for Line<'_> {
-    /// None if the traversal refuses the tree, or does not exist in the word.
+    /// `None` if the traversal refuses the tree or does not support the word.
     type Output = Option<String>;
 
     fn call<W: KeyWord>(self) -> Option<String> {
@@ -207,12 +209,12 @@ impl WithWord for Line<'_> {
     }
 }
 
-/// How a line ends.
+/// Formats the end of a line.
 fn found(search: &Search<'_, Tree>) -> String {
     search.outcome.hit.map_or_else(|| " none\n".to_owned(), |(t, slot)| format!(" hit {t} {slot}\n"))
 }
 
-/// A search that one traversal puts aside, and another takes up by key, trail and second trail.
+/// A search that one traversal pauses and another resumes, from key, trail and second trail.
 struct Resumed<'c> {
     run: &'c Run<'c>,
     from: Method,
@@ -221,13 +223,13 @@ struct Resumed<'c> {
 }
 
 impl WithWord for Resumed<'_> {
-    /// None if one of them does not carry the tree, or the search ends before.
+    /// `None` if one of them does not support the tree, or the search ends earlier.
     type Output = Option<String>;
 
     fn call<W: KeyWord>(self) -> Option<String> {
         let Run { case, keys, tables } = *self.run;
         let tree = &case.tree;
-        // The node's key is a word too.
+        // The node's key is also a word.
         W::carries(tree.depth(), 1).ok()?;
         let mut search = Search::new(tree, &case.tape, case.any);
         let visits = mix(tree.node_count() as u64 ^ u64::from(case.octant)) % tree.node_count() as u64;
@@ -243,7 +245,7 @@ impl WithWord for Resumed<'_> {
             Some((t, slot)) => write!(text, " {t} {slot} ;"),
             None => write!(text, " - - ;"),
         };
-        // A traversal of this tree leaves no state that is not found again.
+        // Every state of a traversal of this tree can be located.
         let Ok(kept) = kept.locate(&ByWalk(tree)) else { return Some(text + " refused\n") };
         let mut seen = Seen { text, tree, keys };
         let take_up = TakeUp { kept, search: &mut search, seen: &mut seen };
@@ -252,7 +254,7 @@ impl WithWord for Resumed<'_> {
     }
 }
 
-/// Stops before the visit of a number.
+/// Pauses before a visit, by number.
 struct PutAside<'a, 'c> {
     search: &'a mut Search<'c, Tree>,
     visits: u64,
@@ -291,12 +293,12 @@ impl<W: KeyWord> WithCursor<W> for TakeUp<'_, '_, W> {
     type Output = ();
 
     fn call(self, cursor: impl Pause<Word = W>) {
-        // A state that is refused shows nothing, and so is seen.
+        // A rejected state leaves the line without visits.
         let _ = resume(cursor, self.kept, self.search, self.seen);
     }
 }
 
-/// Writes what is seen at each visit.
+/// Writes the state at each visit.
 struct Seen<'c> {
     text: String,
     tree: &'c Tree,
@@ -321,7 +323,7 @@ impl Recorder for Seen<'_> {
         self.goes_on()
     }
 
-    /// On the way down again: marked, where a decision is asked for again.
+    /// On the way down after a restart: marks decisions that are repeated.
     fn revisit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         let flow = self.visit(node, state);
         if !node.is_leaf() {
@@ -332,12 +334,12 @@ impl Recorder for Seen<'_> {
 }
 
 impl Seen<'_> {
-    /// A traversal that does not end shows more than any can.
+    /// Stops a traversal that does not end.
     fn goes_on(&self) -> Flow {
         if self.text.len() > LONGEST { Flow::Stop } else { Flow::Continue }
     }
 
-    /// A node by its key, which may be longer than the traversal's word.
+    /// Writes a node by its key, which may be longer than the traversal's word.
     fn add_node(&mut self, node: Node) {
         let slot = self.tree.slot(node);
         if self.keys.depth(slot) < u64::BITS {
@@ -348,7 +350,7 @@ impl Seen<'_> {
     }
 }
 
-/// No tree here has so many nodes that a line could be longer.
+/// Longer than any line of a terminating traversal.
 const LONGEST: usize = 1 << 20;
 
 fn add(text: &mut String, word: &impl KeyWord) {

@@ -1,4 +1,4 @@
-//! What a case asks.
+//! The inputs of cases.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -8,10 +8,10 @@ use stackless_bvh::generate::Cell;
 /// The children of each node, `null` for a leaf; node 0 is the root.
 pub type Children = Vec<Option<[u32; 2]>>;
 
-/// The same of a wide tree, from slot 0 on.
+/// The children of each node of a wide tree, from slot 0 on.
 pub type WideChildren = Vec<Option<Vec<u32>>>;
 
-/// An operation with its input; `spec/suite/INTERPRETING.md` says what has to be answered.
+/// An operation with its input. `spec/suite/INTERPRETING.md` defines the answers.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "op", rename_all = "kebab-case", deny_unknown_fields)]
 #[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
@@ -46,7 +46,7 @@ pub enum Ask {
 }
 
 impl Ask {
-    /// What the input of a case asks.
+    /// Decodes the input of a case.
     ///
     /// # Errors
     /// An unknown operation, or a field that is missing, unknown or of another type.
@@ -55,7 +55,7 @@ impl Ask {
     }
 }
 
-/// A table to look keys up in.
+/// A table for lookups of keys.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
@@ -69,7 +69,7 @@ pub struct LookupTable {
     pub keys: Vec<String>,
 }
 
-/// A tree whose keys are to be hashed.
+/// A tree for hashing keys.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
@@ -81,7 +81,7 @@ pub struct Build {
     pub sizes: Option<[u32; 2]>,
 }
 
-/// A tree, a search, and where to begin.
+/// A tree, a search, and its start.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
@@ -107,7 +107,7 @@ pub struct Walk {
     pub next: Option<Start>,
 }
 
-/// A wide tree, a search, and where to begin.
+/// A wide tree, a search, and its start.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[allow(missing_docs, reason = "spec/suite/INTERPRETING.md describes each field")]
@@ -142,13 +142,13 @@ pub struct Best {
     pub node: u32,
 }
 
-/// What a state that is taken up has to do first.
+/// The first step after resuming a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Start {
-    /// To visit its node.
+    /// Visits its node.
     Visit,
-    /// To backtrack from its node, a leaf.
+    /// Backtracks from its node, a leaf.
     Backtrack,
 }
 
@@ -163,14 +163,14 @@ pub struct Rays {
     pub query: Query,
 }
 
-/// Which hit is sought.
+/// The kind of query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Query {
-    /// The closest.
+    /// The closest hit.
     Closest,
-    /// Whether there is any.
+    /// Whether there is any hit.
     Any,
-    /// Whether the surface is crossed an odd number of times.
+    /// The parity of the number of crossings.
     Parity,
 }

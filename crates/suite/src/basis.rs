@@ -1,6 +1,6 @@
-//! Which profile shows a mistake sooner than another one.
+//! Dependencies between profiles: a mistake shows earlier in a more basic profile.
 
-/// Profiles, each with those that it rests on: where both fail, the mistake is most often in the latter.
+/// Profiles with the more basic ones. If both fail, the mistake is most often in the more basic one.
 const BASES: [(&str, &[&str]); 25] = [
     ("hash/lookup", &["hash/function", "hash/address"]),
     ("hash/build", &["hash/function", "hash/keys", "hash/lookup"]),
@@ -29,7 +29,7 @@ const BASES: [(&str, &[&str]); 25] = [
     ("hash/wide-deep", &["hash/wide"]),
 ];
 
-/// The profiles that one rests on, the most basic first.
+/// Returns the more basic profiles, the most basic first.
 pub(crate) fn bases(profile: &str) -> Vec<&'static str> {
     let mut found = Vec::new();
     for base in BASES.iter().find(|(name, _)| *name == profile).into_iter().flat_map(|(_, bases)| *bases) {

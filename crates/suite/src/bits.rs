@@ -1,16 +1,16 @@
-//! Words as lists of bits: as literal as can be, and of any length.
+//! Words as lists of bits: literal, and of any length.
 
 /// Bits, the highest first.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Bits(pub(crate) Vec<bool>);
 
 impl Bits {
-    /// Key of the root.
+    /// Returns the key of the root.
     pub(crate) fn root() -> Self {
         Self(vec![true])
     }
 
-    /// As many zeros as are asked for.
+    /// Returns `count` zeros.
     pub(crate) fn zeros(count: usize) -> Self {
         Self(vec![false; count])
     }
@@ -35,7 +35,7 @@ impl Bits {
         self
     }
 
-    /// Without the lowest bits.
+    /// Removes the lowest bits.
     pub(crate) fn without(mut self, count: usize) -> Self {
         self.0.truncate(self.0.len().saturating_sub(count));
         self
@@ -46,13 +46,13 @@ impl Bits {
         self
     }
 
-    /// With zeros above, as many bits as are asked for; `None` if there are more already.
+    /// Prepends zeros up to a length; `None` if there are more bits.
     pub(crate) fn of_length(self, length: usize) -> Option<Self> {
         let above = length.checked_sub(self.0.len())?;
         Some(Self([vec![false; above], self.0].concat()))
     }
 
-    /// What [`hex`](Self::hex) has written, without zeros above; `None` for other texts.
+    /// Parses the output of [`hex`](Self::hex), without leading zeros; `None` for other text.
     pub(crate) fn of_hex(digits: &str) -> Option<Self> {
         let is_plain = digits == "0" || !digits.is_empty() && !digits.starts_with('0');
         let digit = |c: char| c.to_digit(16).filter(|_| !c.is_ascii_uppercase());
@@ -61,7 +61,7 @@ impl Bits {
         Some(Self(bits.skip_while(|&bit| !bit).collect()))
     }
 
-    /// The number; `None` if it takes more than 64 bits.
+    /// Returns the number; `None` if it has more than 64 bits.
     pub(crate) fn number(&self) -> Option<u64> {
         (self.0.len() <= 64).then(|| self.0.iter().fold(0, |number, &bit| 2 * number + u64::from(bit)))
     }

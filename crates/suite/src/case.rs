@@ -8,7 +8,7 @@ use stackless_bvh::name::named;
 /// Version of the suite, as in `spec/suite/VERSION`.
 pub const VERSION: &str = "2.1.0";
 
-/// What a case is about.
+/// The subject of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Level {
@@ -18,7 +18,7 @@ pub enum Level {
     Hash,
     /// Traversals of trees, without geometry.
     Trace,
-    /// Traversals that are taken up from a state.
+    /// Traversals that resume from a state.
     Resume,
     /// Rays and triangles.
     Ray,
@@ -28,7 +28,7 @@ impl Level {
     /// All levels.
     pub const ALL: [Self; 5] = [Self::Key, Self::Hash, Self::Trace, Self::Resume, Self::Ray];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Key => "key",
@@ -42,19 +42,19 @@ impl Level {
 
 named!(Level);
 
-/// What an implementation may have beyond its profiles.
+/// Optional features of an implementation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Feature {
-    /// It gives the trail at each visit.
+    /// Reports the trail at each visit.
     Trails,
-    /// It gives J's counter at each visit.
+    /// Reports J's counter at each visit.
     Counters,
-    /// It gives the register at each visit.
+    /// Reports the register at each visit.
     Registers,
-    /// It decides once, at the visit, also where decisions change: it never asks again on its way down from the root.
+    /// Decides once, at the visit, even if decisions change: it never repeats a query on its way down from the root.
     Changing,
-    /// It gives the weights of a hit.
+    /// Reports the weights of a hit.
     Weights,
 }
 
@@ -62,7 +62,7 @@ impl Feature {
     /// All features.
     pub const ALL: [Self; 5] = [Self::Trails, Self::Counters, Self::Registers, Self::Changing, Self::Weights];
 
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Trails => "trails",
@@ -73,7 +73,7 @@ impl Feature {
         }
     }
 
-    /// What it means.
+    /// Returns a description.
     pub const fn about(self) -> &'static str {
         match self {
             Self::Trails => "gives the trail at each visit",
@@ -90,13 +90,13 @@ impl Feature {
 
 named!(Feature);
 
-/// How much a case weighs.
+/// The strength of a requirement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Strength {
-    /// Who fails it does not conform.
+    /// Required for conformance.
     Must,
-    /// It is advised.
+    /// Recommended.
     May,
 }
 
@@ -104,25 +104,25 @@ pub enum Strength {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SuiteCase {
-    /// Permanent: `level/profile/name`.
+    /// The permanent id: `level/profile/name`.
     pub id: String,
-    /// What it is about.
+    /// The clauses that it tests.
     pub clauses: Vec<String>,
-    /// How much it weighs.
+    /// The strength of the requirement.
     pub strength: Strength,
-    /// What it needs beyond its profile.
+    /// The required features.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub features: Vec<Feature>,
-    /// One line.
+    /// The reason for the case, in one line.
     pub why: String,
-    /// What is asked.
+    /// The input.
     pub input: Map<String, Value>,
-    /// What is to be answered.
+    /// The expected answer.
     pub expect: Expect,
 }
 
 impl SuiteCase {
-    /// How much there is to look at: the elements of all lists of its input. Files are not in this order.
+    /// Returns the size: the number of elements of all lists of its input. Files are not sorted by size.
     pub fn size(&self) -> usize {
         fn elements(value: &Value) -> usize {
             match value {
@@ -134,37 +134,37 @@ impl SuiteCase {
     }
 }
 
-/// What is to be answered.
+/// An expected answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Expect {
-    /// This.
+    /// This result.
     Result(Map<String, Value>),
     /// A rejection with this code.
     Reject(String),
-    /// Closest hits whose distances may be off a little.
+    /// Closest hits, with a tolerance of the distances.
     Near(Near),
-    /// Anything that is right.
+    /// Any valid answer.
     Valid(bool),
 }
 
-/// Closest hits as far as rounding leaves them.
+/// Closest hits with a tolerance for rounding.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Near {
-    /// How many floats a distance may be off.
+    /// The tolerance of distances, in ulps.
     pub ulps: u32,
-    /// Of each ray.
+    /// The hit of each ray.
     pub hits: Vec<Option<NearHit>>,
 }
 
-/// A hit of which any triangle will do that is at this distance.
+/// A hit at this distance, of any of these triangles.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NearHit {
     /// The bits of the distance, rounded once.
     pub t: String,
-    /// Triangles.
+    /// The accepted triangles.
     pub prims: Vec<u32>,
 }
 
@@ -174,16 +174,16 @@ pub struct NearHit {
 pub struct Profile {
     /// Version of the suite.
     pub suite: String,
-    /// What its cases are about.
+    /// The level of its cases.
     pub level: Level,
-    /// Its name, within the level.
+    /// The name within the level.
     pub profile: String,
     /// The cases.
     pub cases: Vec<SuiteCase>,
 }
 
 impl Profile {
-    /// `level/profile`.
+    /// Returns `level/profile`.
     pub fn name(&self) -> String {
         format!("{}/{}", self.level, self.profile)
     }
@@ -197,7 +197,7 @@ pub struct Suite {
 }
 
 impl Suite {
-    /// Each case with its profile.
+    /// Returns each case with its profile.
     pub fn cases(&self) -> impl Iterator<Item = (&Profile, &SuiteCase)> {
         self.profiles.iter().flat_map(|profile| profile.cases.iter().map(move |case| (profile, case)))
     }

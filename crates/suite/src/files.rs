@@ -1,4 +1,4 @@
-//! The suite as files: `index.json` names them, and nothing else is one.
+//! The suite as files. `index.json` lists all of them.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -11,34 +11,34 @@ use super::basis::bases;
 use super::text::Shown;
 use super::{Feature, Profile, Suite, SuiteCase, VERSION, Withdrawn};
 
-/// Why files are not a suite.
+/// Errors of reading a suite.
 #[derive(Debug, thiserror::Error)]
 pub enum SuiteError {
     /// A file or folder cannot be read.
     #[error("{path}: {error}")]
     Read {
-        /// Which.
+        /// The path.
         path: String,
-        /// Why.
+        /// The error.
         error: io::Error,
     },
-    /// A file is not one of cases, or not an index. (The message names line and column.)
+    /// A file of cases or the index is invalid. The message has line and column.
     #[error("{path}: {}", Shown(.error.to_string()))]
     Json {
-        /// Which.
+        /// The path.
         path: String,
-        /// Why.
+        /// The error.
         error: serde_json::Error,
     },
-    /// A file is of another version.
+    /// A file has another version.
     #[error("{path}: version {} of the suite, expected {VERSION}", Shown(.found))]
     Version {
-        /// Which.
+        /// The path.
         path: String,
         /// Its version.
         found: String,
     },
-    /// The index names a file that no profile has.
+    /// The index has a file name that is not valid for its profile.
     #[error(
         "index.json: file '{}' of profile '{}': expected vectors/PROFILE.json, with letters a-z, digits and -",
         Shown(.file),
@@ -50,13 +50,13 @@ pub enum SuiteError {
         /// The file.
         file: String,
     },
-    /// The index names a profile twice.
+    /// The index lists a profile twice.
     #[error("index.json: profile '{}' stands twice", Shown(.profile))]
     ProfileTwice {
-        /// Which.
+        /// The profile.
         profile: String,
     },
-    /// A file holds something else than the index says.
+    /// A file differs from its entry in the index.
     #[error("{path}: {cases} cases of profile '{}', expected what index.json says", Shown(.profile))]
     Index {
         /// The file.
@@ -66,13 +66,13 @@ pub enum SuiteError {
         /// The number of its cases.
         cases: usize,
     },
-    /// The index does not name a file.
+    /// The index does not list a file.
     #[error("{}: index.json does not name it", Shown(.path))]
     Stray {
         /// The file.
         path: String,
     },
-    /// An id stands twice.
+    /// An id occurs twice.
     #[error("{path}: case '{}' stands twice", Shown(.id))]
     Twice {
         /// The file.
@@ -80,7 +80,7 @@ pub enum SuiteError {
         /// The id.
         id: String,
     },
-    /// An id is not in its place.
+    /// An id does not match its file.
     #[error("{path}: case '{}': expected an id like '{prefix}/NAME', with letters a-z, digits, - and ^", Shown(.id))]
     Place {
         /// The file.
@@ -90,12 +90,12 @@ pub enum SuiteError {
         /// Level and profile.
         prefix: String,
     },
-    /// There is no case.
+    /// The suite has no cases.
     #[error("index.json: no cases")]
     Empty,
 }
 
-/// The file that names all others.
+/// The file that lists all other files.
 const INDEX: &str = "index.json";
 
 #[derive(Deserialize)]
@@ -112,7 +112,7 @@ struct Row {
     profile: String,
     file: String,
     cases: usize,
-    /// More basic profiles, in which a mistake shows sooner; the most basic first.
+    /// More basic profiles, where a mistake shows earlier, the most basic first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     rests_on: Vec<String>,
 }
@@ -124,7 +124,7 @@ impl Row {
         Self { file: format!("vectors/{name}.json"), profile: name, cases: profile.cases.len(), rests_on }
     }
 
-    /// Whether the file is where it belongs. No other name is ever made a path.
+    /// Returns whether the file name is valid. Other names are never used as paths.
     fn is_in_place(&self) -> bool {
         let parts = self.profile.split_once('/');
         parts.is_some_and(|(level, name)| is_name(level, "") && is_name(name, ""))
@@ -132,7 +132,7 @@ impl Row {
     }
 }
 
-/// Small letters, digits, `-`, and some more.
+/// Returns whether a text has only lower-case letters, digits, `-`, and the characters of `more`.
 fn is_name(text: &str, more: &str) -> bool {
     let is_plain = |c: char| matches!(c, 'a'..='z' | '0'..='9' | '-') || more.contains(c);
     !text.is_empty() && text.chars().all(is_plain)
@@ -142,8 +142,8 @@ impl Suite {
     /// Reads a folder like `spec/suite`.
     ///
     /// # Errors
-    /// [`SuiteError`], for the first file that is not as it must be, or that `index.json` does not name. Paths in it are
-    /// within the folder.
+    /// [`SuiteError`], for the first file that is invalid or not listed in `index.json`. Its paths are relative to the
+    /// folder.
     pub fn load(folder: &Path) -> Result<Self, SuiteError> {
         let suite = Self::read(|file| read_text(&folder.join(file)))?;
         let mut files = Vec::new();
@@ -155,10 +155,10 @@ impl Suite {
         }
     }
 
-    /// Reads a suite whose files have these texts. Asks for `index.json`, and for the files that it names.
+    /// Reads a suite from texts. `text` is called for `index.json` and for the files that it lists.
     ///
     /// # Errors
-    /// [`SuiteError`], for the first file that is not as it must be.
+    /// [`SuiteError`], for the first invalid file.
     pub fn read(mut text: impl FnMut(&str) -> io::Result<String>) -> Result<Self, SuiteError> {
         let mut read = |file: &str| text(file).map_err(|error| SuiteError::Read { path: file.to_owned(), error });
         let index: Index = parse(INDEX, &read(INDEX)?)?;
@@ -187,7 +187,7 @@ impl Suite {
         Ok(Self { profiles })
     }
 
-    /// Its files: paths within the folder, and texts.
+    /// Returns its files: paths relative to the folder, and texts.
     pub fn files(&self) -> Vec<(String, String)> {
         let rows: Vec<_> = self.profiles.iter().map(Row::of).collect();
         let mut files: Vec<_> =
@@ -202,7 +202,7 @@ impl Suite {
 }
 
 impl Profile {
-    /// The text of its file: a line for each case.
+    /// Returns the text of its file, with one line per case.
     pub fn to_text(&self) -> String {
         let Self { suite, level, profile, cases } = self;
         let quoted = |text: &str| serde_json::Value::from(text).to_string();
@@ -211,7 +211,7 @@ impl Profile {
     }
 }
 
-/// A line of JSON for each.
+/// Formats values as lines of JSON.
 fn lines(values: &[impl Serialize]) -> String {
     values.iter().map(|value| serde_json::to_string(value).unwrap_or_default()).collect::<Vec<_>>().join(",\n")
 }
@@ -224,7 +224,7 @@ fn check_version(path: &str, found: String) -> Result<(), SuiteError> {
     if found == VERSION { Ok(()) } else { Err(SuiteError::Version { path: path.to_owned(), found }) }
 }
 
-/// Whether each case has an id of its own, which a path, a shell and a terminal can bear.
+/// Checks that ids are unique and safe in paths, shells and terminals.
 fn check_ids(path: &str, profile: &Profile) -> Result<(), SuiteError> {
     let (prefix, mut seen) = (profile.name(), HashSet::new());
     for SuiteCase { id, .. } in &profile.cases {
@@ -240,7 +240,7 @@ fn check_ids(path: &str, profile: &Profile) -> Result<(), SuiteError> {
     Ok(())
 }
 
-/// The files of a part of a folder, and of the folders in it, whose names end in `.json`.
+/// Collects the files with the extension `.json` in a part of a folder, recursively.
 fn collect_json(folder: &Path, part: &str, files: &mut Vec<String>) -> Result<(), SuiteError> {
     let failed = |error| SuiteError::Read { path: part.to_owned(), error };
     for entry in fs::read_dir(folder.join(part)).map_err(failed)? {

@@ -1,4 +1,4 @@
-//! Whether an answer is right.
+//! Checks of answers.
 
 use core::fmt;
 
@@ -10,36 +10,36 @@ use super::bits::Bits;
 use super::text::{Shown, parse_floats};
 use super::{Answer, Expect, Feature, Hello, Near, NearHit, SuiteCase};
 
-/// What is wrong with an answer. In words, what is long is cut.
+/// A fault of an answer. Long text is shortened.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Flaw {
-    /// It says that it does not support what it has said that it does.
+    /// The implementation answers that it does not support a case that it has declared to support.
     Unsupported(String),
-    /// It is an answer, and a rejection is expected.
+    /// The answer is a result, but a rejection is expected.
     NotRejected(String),
-    /// It is a rejection, and an answer is expected.
+    /// The answer is a rejection, but a result is expected.
     Rejected(String),
-    /// It is rejected for another reason.
+    /// The code of the rejection is wrong.
     Code {
-        /// What is expected.
+        /// The expected code.
         expected: String,
-        /// What was said.
+        /// The code found.
         found: String,
     },
-    /// A field is not there.
+    /// A field is missing.
     Missing(String),
-    /// A field is there that nobody has asked for.
+    /// A field is unknown.
     Unknown(String),
-    /// A field, or an element of it, has another value.
+    /// A field or one of its elements has a wrong value.
     Differs {
-        /// Which: its name, and the number of the element from 0.
+        /// The name of the field, and the index of the element.
         at: String,
-        /// What is expected.
+        /// The expected value.
         expected: String,
-        /// What was said.
+        /// The value found.
         found: String,
     },
-    /// A table is not right.
+    /// A table is wrong.
     Table(String),
 }
 
@@ -62,7 +62,7 @@ impl fmt::Display for Flaw {
 
 impl std::error::Error for Flaw {}
 
-/// Judges an answer of an implementation with these features and limits. `[CONF-1]` `[CONF-3]`
+/// Checks the answer of an implementation with these features and limits. `[CONF-1]` `[CONF-3]`
 ///
 /// # Errors
 /// The first flaw.
@@ -118,7 +118,7 @@ pub fn judge(case: &SuiteCase, hello: &Hello, answer: &Answer) -> Result<(), Fla
     }
 }
 
-/// Whether the implementation has said that it does not carry the case's tree.
+/// Returns whether the case's tree exceeds the implementation's declared limits.
 fn is_too_deep(case: &SuiteCase, hello: &Hello) -> bool {
     let is_walk = case.id.starts_with("trace/") || case.id.starts_with("resume/");
     if !is_walk || matches!(case.expect, Expect::Reject(_)) {
@@ -137,7 +137,7 @@ fn is_too_deep(case: &SuiteCase, hello: &Hello) -> bool {
     limit.zip(depth).is_some_and(|(limit, depth)| depth > limit)
 }
 
-/// The first element that differs.
+/// Reports the first element that differs.
 fn compare(name: &str, expected: &Value, found: &Value) -> Result<(), Flaw> {
     if expected == found {
         return Ok(());
@@ -156,7 +156,7 @@ fn compare(name: &str, expected: &Value, found: &Value) -> Result<(), Flaw> {
     differs(name.to_owned(), Some(expected), Some(found))
 }
 
-/// Hits as they are compared: zeros of either sign are one, and weights are there only if they are asked for.
+/// Returns hits in the form for comparing: with unsigned zeros, and with weights only if they are compared.
 fn plain_hits(hits: &Value, has_weights: bool) -> Value {
     let Value::Array(hits) = hits else { return hits.clone() };
     let plain = |hit: &Value| {
@@ -168,7 +168,7 @@ fn plain_hits(hits: &Value, has_weights: bool) -> Value {
     hits.iter().map(plain).collect()
 }
 
-/// Whether each hit is of a triangle that will do, at a distance that is near enough.
+/// Checks that each hit is an accepted triangle at a distance within the tolerance.
 fn judge_near(near: &Near, result: &Map<String, Value>) -> Result<(), Flaw> {
     if let Some(name) = result.keys().find(|name| *name != "hits") {
         return Err(Flaw::Unknown(name.clone()));
@@ -200,9 +200,9 @@ fn judge_near(near: &Near, result: &Map<String, Value>) -> Result<(), Flaw> {
     Ok(())
 }
 
-/// What keys and trails say of the rest of the state.
+/// Keys and trails, which determine the rest of the state.
 struct States {
-    /// Key and trail at each visit, equally long.
+    /// Key and trail at each visit, with equal lengths.
     visits: Vec<(Bits, Bits)>,
 }
 
@@ -222,13 +222,13 @@ impl States {
         Self { visits: keys.zip(texts(trails)).filter_map(visit).collect() }
     }
 
-    /// Below the depth the complement of the trail, and a one above. `[TRAIL-6]`
+    /// Computes the counters: the complement of the trail below the depth, and a one above. `[TRAIL-6]`
     fn counters(&self) -> Value {
         let below = |trail: &Bits| Bits(trail.0.iter().skip(1).copied().collect()).complement();
         self.visits.iter().map(|(_, trail)| Bits([vec![true], below(trail).0].concat()).hex()).collect()
     }
 
-    /// Unset, or the node that comes next; always set while the sibling is postponed. `[REGISTER-1]`
+    /// Checks that registers are unset or the next node, and never unset while the sibling is postponed. `[REGISTER-1]`
     fn judge_registers(&self, found: &Value) -> Result<(), Flaw> {
         let none = Vec::new();
         let found = found.as_array().unwrap_or(&none);
@@ -260,19 +260,19 @@ impl States {
     }
 }
 
-/// Up to the lowest one of the trail, and to the sibling there. `[TRAIL-4]`
+/// Removes the bits below the lowest one of the trail, and goes to the sibling there. `[TRAIL-4]`
 fn lowest_postponed(key: &Bits, trail: &Bits) -> Bits {
     key.clone().without(trail.trailing(false)).flip_last()
 }
 
-/// Whether a table that was built leads each key of the tree to its node. `[HASH-9]`
+/// Checks that a table leads each key of the tree to its node. `[HASH-9]`
 fn judge_table(case: &SuiteCase, result: &Map<String, Value>) -> Result<(), Flaw> {
     let wrong = |what: String| Err(Flaw::Table(what));
     let Ok(Ask::Build(Build { children, reach, sizes })) = Ask::of(&case.input) else {
         return wrong("nobody has asked for one".to_owned());
     };
     let Some(depth) = depth_if_tree(&children) else { return wrong("the children are no tree".to_owned()) };
-    // Only long keys are folded. A deep tree may have none among those that are hashed.
+    // Only long keys are folded. A deep tree may have no hashed long keys.
     let (may_fold, must_fold) = (depth >= u64::BITS, folds(&children, reach));
     let is_known =
         |name: &str| matches!(name, "displacements" | "cells" | "seed" | "bits") || name == "fold" && may_fold;

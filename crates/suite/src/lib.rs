@@ -1,9 +1,9 @@
-//! The conformance suite: cases that tell any implementation, in any language, where it is wrong.
+//! The conformance suite: language-neutral cases that locate the errors of an implementation.
 //!
-//! [`author`] makes the cases, with expectations from references that share nothing with the traversals. `spec/suite`
-//! holds them as files, with the text that says what they mean. A [`Runner`] asks a program the cases, one JSON line
-//! each, and judges what it answers ([`judge()`]); [`serve`] is the other side of the line, and [`Library`] what this
-//! library answers.
+//! [`author`] generates the cases, with expectations from references that share no code with the traversals.
+//! `spec/suite` has them as files, with a text that defines their meaning. A [`Runner`] sends the cases to a program,
+//! one JSON line each, and checks its answers ([`judge()`]). [`serve`] implements the other side of the protocol.
+//! [`Library`] answers with this library.
 
 #![forbid(unsafe_code)]
 

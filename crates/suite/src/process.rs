@@ -1,4 +1,4 @@
-//! A program that is asked: its lines in, its lines out, nobody waits for ever, and nothing of it survives us.
+//! A program under test, with bounded waiting for its lines. Its processes end with the runner.
 
 use std::io::{self, BufRead, BufReader, Read as _, Write};
 use std::process::{Child, Command, Stdio};
@@ -8,36 +8,36 @@ use std::time::Duration;
 
 use super::text::{Shown, read_line};
 
-/// Lines that are held before they are heard: a program that floods us has to wait.
+/// The maximum number of buffered lines. A program that writes more has to wait.
 const HELD: usize = 4;
 
-/// What came, or did not.
+/// The result of waiting for a line.
 #[derive(Debug)]
 pub(super) enum Heard {
     Line(String),
-    /// A line that is too long or no text.
+    /// A line that is too long or not text.
     Garbage(String),
     /// The program has ended or closed its output.
     End,
-    /// Nothing in time.
+    /// No line within the time limit.
     Silence,
 }
 
-/// A running program. Ended, if need be by force, when this is dropped, and whatever it has started too.
+/// A running program. Dropping it ends the program and its processes, by force if necessary.
 #[derive(Debug)]
 pub(super) struct Process {
     child: Child,
     /// Dropped after the program has ended.
     _group: Group,
-    /// To the thread that writes; `None` when its input is closed.
+    /// The channel to the writing thread; `None` when the program's input is closed.
     input: Option<Sender<String>>,
     output: Receiver<Heard>,
-    /// The last line of its standard error, when that is closed; `None` where it is ours.
+    /// The last line of standard error, received when it is closed; `None` if standard error is inherited.
     said: Option<Receiver<String>>,
 }
 
 impl Process {
-    /// Its standard error is ours, or the last line of it is kept.
+    /// Starts a program. Its standard error is inherited, or its last line is stored.
     pub(super) fn start(command: &[String], passes_errors: bool) -> io::Result<Self> {
         let (program, arguments) =
             command.split_first().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "no command"))?;
@@ -48,7 +48,7 @@ impl Process {
         let mut child = group.join(&mut command).spawn()?;
         let (input, to_write) = channel::<String>();
         let (heard, output) = sync_channel(HELD);
-        // Threads of their own: a program that does not read, or writes without being asked, must not block us.
+        // Separate threads, so a program that does not read, or writes unexpectedly, cannot block the runner.
         if let Some(mut stdin) = child.stdin.take() {
             thread::spawn(move || {
                 for line in to_write {
@@ -69,15 +69,15 @@ impl Process {
         Ok(Self { child, _group: group, input: Some(input), output, said })
     }
 
-    /// Writes a line, some time.
+    /// Queues a line for writing.
     pub(super) fn say(&self, line: String) {
         if let Some(input) = &self.input {
-            // Where nobody writes any more the program has ended, which is heard.
+            // If the writer has ended, the program has ended, which `hear` reports.
             let _ = input.send(line + "\n");
         }
     }
 
-    /// The next line.
+    /// Waits for the next line.
     pub(super) fn hear(&self, within: Duration) -> Heard {
         match self.output.recv_timeout(within) {
             Ok(heard) => heard,
@@ -86,15 +86,15 @@ impl Process {
         }
     }
 
-    /// Closes its input.
+    /// Closes the program's input.
     pub(super) fn close(&mut self) {
         self.input = None;
     }
 
-    /// How it has ended, or was ended just now, and what it said last of it.
+    /// Ends the program. Returns its exit status and its last line of standard error.
     pub(super) fn end(mut self) -> String {
         let how = self.status();
-        // What it has started may keep its standard error open.
+        // The program's child processes may hold standard error open.
         let said = self.said.as_ref().and_then(|said| said.recv_timeout(Duration::from_millis(200)).ok());
         match said.filter(|line| !line.is_empty()) {
             Some(line) => format!("{how}; its standard error ends with: {}", Shown(line)),
@@ -103,7 +103,7 @@ impl Process {
     }
 
     fn status(&mut self) -> String {
-        // It has closed its output; a little time to end by itself.
+        // The output is closed. The program gets a short time to exit.
         for _ in 0..50 {
             match self.child.try_wait() {
                 Ok(Some(status)) => return status.to_string(),
@@ -123,9 +123,9 @@ impl Drop for Process {
     }
 }
 
-/// A process group that ends with us, however we end: a shell waits in it until its standard input is closed, whose
-/// other end only we hold, and then ends the group. No signal of a terminal reaches the group. A program that leaves it
-/// (`setsid`) is not ended.
+/// A process group that ends with the runner, even after a crash. A shell in the group waits until its standard input,
+/// whose other end only the runner holds, is closed, and then ends the group. Signals of a terminal do not reach the
+/// group. A program that leaves the group (`setsid`) is not ended.
 #[cfg(unix)]
 #[derive(Debug)]
 struct Group {
@@ -156,7 +156,7 @@ impl Drop for Group {
     }
 }
 
-/// Elsewhere only the program itself is ended.
+/// On other systems, only the program is ended.
 #[cfg(not(unix))]
 #[derive(Debug)]
 struct Group;
@@ -172,12 +172,13 @@ impl Group {
     }
 }
 
-/// The last line with something in it: mostly the reason. All is read, so that nobody has to wait for us.
+/// Returns the last nonempty line, which is usually the reason. Reads to the end, so the program never waits for the
+/// runner.
 fn last_line(mut errors: impl BufRead) -> String {
     let (mut last, mut line) = (Vec::new(), Vec::new());
     loop {
         line.clear();
-        // A line without an end is cut.
+        // Very long lines are truncated.
         match errors.by_ref().take(1 << 12).read_until(b'\n', &mut line) {
             Ok(0) | Err(_) => return String::from_utf8_lossy(&last).trim().to_owned(),
             Ok(_) if line.iter().all(u8::is_ascii_whitespace) => {}

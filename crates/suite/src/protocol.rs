@@ -1,4 +1,4 @@
-//! One JSON object a line: what a runner writes, and what an implementation answers.
+//! The protocol: one JSON object per line, for requests of the runner and replies of the implementation.
 
 use std::io::{self, BufRead, Write};
 
@@ -12,7 +12,7 @@ use super::{Feature, Level, Profile, SuiteCase};
 /// Version of the protocol.
 pub const PROTOCOL: u32 = 1;
 
-/// What a runner writes.
+/// A request of the runner.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "cmd", rename_all = "kebab-case")]
 pub(super) enum Request {
@@ -21,7 +21,7 @@ pub(super) enum Request {
     Bye,
 }
 
-/// What an implementation says of itself.
+/// The declarations of an implementation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Hello {
     /// Version of the protocol.
@@ -31,33 +31,33 @@ pub struct Hello {
     /// Its version.
     #[serde(default)]
     pub version: String,
-    /// What it answers: `level/profile`.
+    /// The supported profiles, as `level/profile`.
     pub profiles: Vec<String>,
-    /// What it has beyond that.
+    /// The supported features.
     #[serde(default)]
     pub features: Vec<Feature>,
-    /// What it carries.
+    /// The limits of the supported trees.
     #[serde(default)]
     pub limits: Limits,
 }
 
 impl Hello {
-    /// Reads a line, as `schema/hello.json` has it.
+    /// Parses a line in the format of `schema/hello.json`.
     pub(super) fn parse(line: &str) -> serde_json::Result<Self> {
         let hello = parse(line)?;
         let limits = hello.get("limits");
         let wide = limits.and_then(|limits| limits.get("wide"));
         let objects: Option<Vec<_>> =
             [Some(&hello), limits, wide].into_iter().flatten().map(Value::as_object).collect();
-        // What is null was not left out.
+        // The schema excludes null, but optional fields accept it.
         if objects.is_none_or(|objects| objects[1..].iter().any(|limits| limits.values().any(Value::is_null))) {
             return Err(serde_json::Error::custom("expected objects, and whole numbers as limits"));
         }
         serde_json::from_value(hello)
     }
 
-    /// Whether a case is put to the implementation: it has named the profile, has the features, and carries nodes of so
-    /// many slots.
+    /// Returns whether the implementation supports a case: it has declared the profile, the features and the number of
+    /// slots.
     pub fn asks_for(&self, profile: &Profile, case: &SuiteCase) -> bool {
         let slots = case.input.get("slots").and_then(Value::as_u64);
         let carries = |slots| self.limits.wide.is_none_or(|wide| wide.of(slots).is_some());
@@ -74,28 +74,28 @@ pub struct Limits {
     /// Deepest tree, in edges.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_depth: Option<u32>,
-    /// Wide trees.
+    /// Limits of wide trees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wide: Option<WideLimits>,
 }
 
-/// The greatest level of an inner node, by the slots of a node. Trees of other slots are not carried.
+/// The greatest level of an inner node, by the number of slots. Trees with other numbers of slots are not supported.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct WideLimits {
-    /// Of trees of 2 slots a node.
+    /// Trees with 2 slots.
     #[serde(default, rename = "2", skip_serializing_if = "Option::is_none")]
     pub of_2: Option<u32>,
-    /// Of trees of 4 slots a node.
+    /// Trees with 4 slots.
     #[serde(default, rename = "4", skip_serializing_if = "Option::is_none")]
     pub of_4: Option<u32>,
-    /// Of trees of 8 slots a node.
+    /// Trees with 8 slots.
     #[serde(default, rename = "8", skip_serializing_if = "Option::is_none")]
     pub of_8: Option<u32>,
 }
 
 impl WideLimits {
-    /// Of trees of so many slots a node.
+    /// Returns the limit for a number of slots.
     pub const fn of(self, slots: u64) -> Option<u32> {
         match slots {
             2 => self.of_2,
@@ -110,15 +110,15 @@ impl WideLimits {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Fields")]
 pub struct Reply {
-    /// Of the case.
+    /// The number of the case.
     pub seq: u64,
-    /// What is answered.
+    /// The answer.
     #[serde(flatten)]
     pub answer: Answer,
 }
 
 impl Reply {
-    /// Reads a line, as `schema/reply.json` has it.
+    /// Parses a line in the format of `schema/reply.json`.
     pub(super) fn parse(line: &str) -> serde_json::Result<Self> {
         let reply = parse(line)?;
         if !reply.is_object() {
@@ -128,7 +128,7 @@ impl Reply {
     }
 }
 
-/// A reply as it is written: one of the three is there. Other fields are nobody's.
+/// A reply in JSON. Exactly one of the three answers is present, and no other fields.
 #[derive(Deserialize)]
 struct Fields {
     seq: u64,
@@ -151,7 +151,7 @@ impl TryFrom<Fields> for Reply {
     }
 }
 
-/// What is answered to a case.
+/// The answer to a case.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Answer {
@@ -159,30 +159,31 @@ pub enum Answer {
     Result(Map<String, Value>),
     /// The input is rejected, with a code.
     Reject(String),
-    /// It is not answered, and why.
+    /// The case is not supported, with the reason.
     Unsupported(String),
 }
 
 impl Answer {
-    /// A result of these fields.
+    /// Builds a result with these fields.
     pub(super) fn of<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Self {
         Self::Result(object(fields))
     }
 }
 
-/// Whoever answers cases.
+/// An implementation that answers cases.
 pub trait Implementation {
-    /// What it is and has.
+    /// Returns its declarations.
     fn hello(&self) -> Hello;
 
     /// Answers a case.
     fn answer(&mut self, level: Level, profile: &str, input: &Map<String, Value>) -> Answer;
 }
 
-/// Answers a runner until it says `bye` or goes away: a conformance adapter is `serve(&mut mine, stdin, stdout)`.
+/// Answers a runner until it sends `bye` or closes the input. A conformance adapter is `serve(&mut mine, stdin,
+/// stdout)`.
 ///
 /// # Errors
-/// A line that is not of the protocol or longer than 64 MiB, or a reader or writer that fails.
+/// A line that violates the protocol or is longer than 64 MiB, or a reader or writer that fails.
 pub fn serve(
     implementation: &mut impl Implementation,
     mut input: impl BufRead,

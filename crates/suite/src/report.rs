@@ -1,4 +1,4 @@
-//! What came of a run.
+//! The report of a run.
 
 use core::fmt::{self, Write as _};
 
@@ -7,25 +7,25 @@ use serde::Serialize;
 use super::basis::bases;
 use super::{Feature, Flaw, Hello, Strength, VERSION, Waiver};
 
-/// What came of a case.
+/// The outcome of a case.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// The answer is right.
     Pass,
     /// The answer is wrong.
     Fail(Flaw),
-    /// The implementation has said that it does not have the profile or a feature; it was not asked.
+    /// The implementation does not support the profile or a feature, so the case was not run.
     NotAsked,
-    /// What was written is not an answer to the case.
+    /// The reply is not a valid answer to the case.
     Error(String),
     /// The program ended.
     Crash(String),
-    /// There was no answer in time.
+    /// There was no answer within the time limit.
     Timeout,
 }
 
 impl Outcome {
-    /// The name.
+    /// Returns the name.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Pass => "pass",
@@ -37,7 +37,7 @@ impl Outcome {
         }
     }
 
-    /// Whether the case was asked, and not answered right.
+    /// Returns whether the case was run and not answered correctly.
     pub const fn is_bad(&self) -> bool {
         !matches!(self, Self::Pass | Self::NotAsked)
     }
@@ -55,33 +55,33 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// A case, and what came of it.
+/// A case and its outcome.
 #[derive(Clone, Debug)]
 pub struct CaseResult {
-    /// Of the case.
+    /// The id of the case.
     pub id: String,
-    /// Of the case.
+    /// The clauses of the case.
     pub clauses: Vec<String>,
-    /// Of the case.
+    /// The strength of the case.
     pub strength: Strength,
-    /// Of the case: what is special.
+    /// The reason for the case.
     pub why: String,
-    /// Of the case: how much there is to look at.
+    /// The size of the case.
     pub size: usize,
-    /// What came of it.
+    /// The outcome.
     pub outcome: Outcome,
-    /// Why it is known to fail.
+    /// The reason of its waiver, if any.
     pub waived: Option<String>,
 }
 
 impl CaseResult {
-    /// Level and profile of the case.
+    /// Returns level and profile of the case.
     pub fn profile(&self) -> &str {
         self.id.rsplit_once('/').map_or("", |(profile, _)| profile)
     }
 
-    /// The clauses as a reader needs them: those of the field that differs first, and those of registers only where the
-    /// implementation has named that feature.
+    /// Returns the clauses in a useful order: those of the differing field first, and those of registers only if the
+    /// implementation has declared that feature.
     pub fn clauses_for(&self, hello: &Hello) -> Vec<&str> {
         const OF_REGISTERS: &[&str] = &["REGISTER-", "UNCLE-", "HASHED-"];
         let is_of = |clause: &str, names: &[&str]| names.iter().any(|name| clause.starts_with(name));
@@ -105,18 +105,18 @@ impl CaseResult {
         clauses
     }
 
-    /// Whether it is one of many that were drawn: of equal size those with a name of their own come first.
+    /// Returns whether the case is one of many random ones. Among cases of equal size, named ones come first.
     fn is_drawn(&self) -> bool {
         self.id.rsplit('-').next().is_some_and(|end| end.bytes().all(|byte| byte.is_ascii_digit()))
     }
 
-    /// The command that shows the case step by step, where there is one.
+    /// Returns the command that explains the case step by step, if there is one.
     pub fn explained_by(&self) -> Option<String> {
         let is_walk = self.id.starts_with("trace/") && !self.profile().ends_with("invalid");
         is_walk.then(|| format!("stackless explain --suite-case '{}' -o case.html", self.id))
     }
 
-    /// Whether the implementation does not conform for this: a must that is not waived, or a waiver that has grown old.
+    /// Returns whether the case prevents conformance: an unwaived failure of a required case, or a stale waiver.
     pub const fn is_failure(&self) -> bool {
         match self.waived {
             Some(_) => matches!(self.outcome, Outcome::Pass),
@@ -125,25 +125,25 @@ impl CaseResult {
     }
 }
 
-/// A run.
+/// The report of a run.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// What the implementation has said of itself.
+    /// The implementation's declarations.
     pub hello: Hello,
-    /// Of each case, in order.
+    /// The results of all cases, in order.
     pub verdicts: Vec<CaseResult>,
-    /// What is wrong beside the cases.
+    /// Faults outside the cases.
     pub faults: Vec<String>,
 }
 
 impl Report {
-    /// Whether nothing failed, and every waiver still fails.
+    /// Returns whether nothing failed and no waiver is stale.
     pub fn is_conforming(&self) -> bool {
         self.faults.is_empty() && !self.verdicts.iter().any(CaseResult::is_failure)
     }
 
-    /// What failed, in the order to look at it: the smallest case of each profile, basic profiles first; then the next
-    /// smallest of each, and so on.
+    /// Returns the failures in the best order for debugging: the smallest case of each profile, basic profiles first;
+    /// then the second smallest of each profile, and so on.
     pub fn failures(&self) -> Vec<&CaseResult> {
         let mut failed: Vec<_> = self.verdicts.iter().filter(|verdict| verdict.is_failure()).collect();
         failed.sort_by_key(|it| (bases(it.profile()).len(), it.profile(), it.size, it.is_drawn()));
@@ -153,7 +153,7 @@ impl Report {
         ranked.into_iter().map(|(_, verdict)| verdict).collect()
     }
 
-    /// A more basic profile, in which the mistake of a case shows sooner: one that fails too, or one that was not asked.
+    /// Returns a more basic profile that failed or was not run, where the mistake shows earlier.
     pub fn look_first(&self, verdict: &CaseResult) -> Option<String> {
         let of = |base: &str| self.verdicts.iter().filter(move |it| it.profile() == base).collect::<Vec<_>>();
         let bases = bases(verdict.profile());
@@ -165,7 +165,7 @@ impl Report {
         Some(format!("{unnamed}, on which this rests, is not named: its cases say more"))
     }
 
-    /// The list of waivers with which this run succeeds. Those that there were keep their reasons.
+    /// Returns the waivers with which this run would succeed. Existing waivers keep their reasons.
     pub fn to_waivers(&self) -> Vec<Waiver> {
         let bad = self.verdicts.iter().filter(|it| it.outcome.is_bad() && it.strength == Strength::Must);
         let waiver = |it: &CaseResult| Waiver {
@@ -175,17 +175,17 @@ impl Report {
         bad.map(waiver).collect()
     }
 
-    /// Number of cases with this outcome, waived ones apart.
+    /// Counts the cases with this outcome, except waived ones.
     pub fn count(&self, name: &str) -> usize {
         self.verdicts.iter().filter(|verdict| verdict.waived.is_none() && verdict.outcome.name() == name).count()
     }
 
-    /// Number of cases that are waived.
+    /// Counts the waived cases.
     pub fn waived(&self) -> usize {
         self.verdicts.iter().filter(|verdict| verdict.waived.is_some()).count()
     }
 
-    /// The run as JSON.
+    /// Returns the run as JSON.
     pub fn to_json(&self) -> impl Serialize {
         #[derive(Serialize)]
         struct Row {
@@ -225,8 +225,8 @@ impl Report {
         }
     }
 
-    /// The run in the format of `JUnit`, which build servers read: a test case each, `skipped` where it was not asked
-    /// or is waived.
+    /// Returns the run in the `JUnit` format of build servers. Each case is a test case, `skipped` if it was not run or
+    /// is waived.
     pub fn to_junit(&self) -> String {
         let failures = self.verdicts.iter().filter(|verdict| verdict.is_failure()).count() + self.faults.len();
         let is_skipped = |it: &&CaseResult| !it.is_failure() && (it.outcome != Outcome::Pass || it.waived.is_some());
@@ -269,7 +269,7 @@ impl Report {
     }
 }
 
-/// Text for an attribute or an element of XML 1.0.
+/// Escapes text for an attribute or an element of XML 1.0.
 fn escaped(text: &str) -> String {
     let plain = |c: char| match c {
         '\n' => "&#10;".to_owned(),
@@ -278,7 +278,7 @@ fn escaped(text: &str) -> String {
         '<' => "&lt;".to_owned(),
         '>' => "&gt;".to_owned(),
         '"' => "&quot;".to_owned(),
-        // XML has no way to write the others.
+        // XML cannot represent other control characters.
         c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => "\u{fffd}".to_owned(),
         c => c.to_string(),
     };

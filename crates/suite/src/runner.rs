@@ -1,4 +1,4 @@
-//! Asks a program the cases, and survives whatever it does.
+//! Runs the cases against a program, and survives any behaviour of it.
 
 use std::collections::{HashSet, VecDeque};
 use std::time::{Duration, Instant};
@@ -10,56 +10,56 @@ use super::{
     CaseResult, Hello, Outcome, PROTOCOL, Profile, Reply, Report, Strength, Suite, SuiteCase, Waiver, Waivers, judge,
 };
 
-/// A run to be.
+/// The settings of a run.
 #[derive(Debug)]
 pub struct Runner<'s> {
     /// The program and its arguments.
     pub command: Vec<String>,
     /// The cases.
     pub suite: &'s Suite,
-    /// Cases that are known to fail. Those of cases that are not in `suite` are passed over.
+    /// Cases that are known to fail. Waivers of cases outside `suite` are ignored.
     pub waivers: Waivers,
-    /// How long to wait for an answer.
+    /// The time limit of an answer.
     pub timeout: Duration,
-    /// How long the whole run may take; what is not answered by then is given up.
+    /// The time limit of the whole run. Later cases are not answered.
     pub budget: Duration,
-    /// How many cases are asked before the first is answered; at least 1.
+    /// The maximum number of unanswered cases at a time, at least 1.
     pub window: usize,
-    /// Whether to end at the first case that fails; the others are not asked.
+    /// Whether to stop at the first failure, without running the remaining cases.
     pub fail_fast: bool,
-    /// Whether the standard error of the program is ours; otherwise its last line is told where the program ends.
+    /// Whether the program inherits standard error. Otherwise its last line is reported when the program ends.
     pub passes_errors: bool,
 }
 
-/// Why there was no run.
+/// Errors that prevent a run.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
     /// The program does not start.
     #[error("{command}: {error}")]
     Start {
-        /// Which.
+        /// The command.
         command: String,
-        /// Why.
+        /// The error.
         error: std::io::Error,
     },
-    /// It does not say hello.
+    /// The program does not send its declarations.
     #[error("{command}: expected an answer to {{\"cmd\":\"hello\",\"protocol\":{PROTOCOL}}}: {what}")]
     Hello {
-        /// Which.
+        /// The command.
         command: String,
-        /// What came instead.
+        /// A description of what the program did.
         what: String,
     },
 }
 
-/// Programs that do nothing but end or keep silent are started this often in a row.
+/// The maximum number of consecutive starts of a program that only exits or is silent.
 const PATIENCE: usize = 20;
 
 impl Runner<'_> {
-    /// Asks all cases; `progress` gets each verdict.
+    /// Runs all cases. `progress` receives each result.
     ///
     /// # Errors
-    /// [`RunError`], where there is nothing to report about.
+    /// [`RunError`], if there is no run to report.
     pub fn run(&self, mut progress: impl FnMut(&CaseResult)) -> Result<Report, RunError> {
         let deadline = Instant::now() + self.budget;
         let cases: Vec<_> = self.suite.cases().collect();
@@ -75,7 +75,7 @@ impl Runner<'_> {
         let verdict = |i: usize, outcome: Outcome| {
             let (_, case) = cases[i];
             let SuiteCase { id, clauses, strength, why, .. } = case.clone();
-            // Of the cases of a pattern some may pass, and one that is not asked needs no excuse.
+            // A pattern excuses cases even if some pass, and a case that was not run needs no excuse.
             let is_excused = |waiver: &&Waiver| match outcome {
                 Outcome::NotAsked => false,
                 Outcome::Pass => !waiver.is_pattern(),
@@ -113,7 +113,8 @@ impl Runner<'_> {
                 },
             };
             turn.ask(running, &mut told);
-            // One case less at least: the one that is to blame. Where it is all that came of a start, patience ends.
+            // Each start settles at least the case that ended the program. If it settles no more than that, the start
+            // counts as failed.
             failed_starts = if before - turn.to_ask.len() <= 1 { failed_starts + 1 } else { 0 };
             if failed_starts >= PATIENCE {
                 let why = format!("given up: the last {PATIENCE} starts answered nothing");
@@ -124,7 +125,7 @@ impl Runner<'_> {
         let is_over = turn.is_over;
         let outcomes = outcomes.into_iter().map(|outcome| outcome.unwrap_or(Outcome::NotAsked));
         let verdicts: Vec<_> = outcomes.enumerate().map(|(i, outcome)| verdict(i, outcome)).collect();
-        // After a first failure nobody knows what the others need.
+        // After the first failure, the need for other waivers is unknown.
         if !is_over {
             faults.extend(hello.profiles.iter().filter_map(|profile| not_shown(profile, &verdicts)));
             faults.extend(self.waivers.all().iter().filter_map(|waiver| not_needed(waiver, &verdicts)));
@@ -159,7 +160,7 @@ fn text(request: &Request) -> String {
     serde_json::to_string(request).unwrap_or_default()
 }
 
-/// Profiles that there are not, and what is named twice.
+/// Lists unknown profiles and duplicate names.
 fn wrong_names(hello: &Hello, suite: &Suite) -> Vec<String> {
     let known = super::author::names();
     let is_known = |name: &String| known.contains(name) || suite.profiles.iter().any(|profile| profile.name() == *name);
@@ -171,7 +172,7 @@ fn wrong_names(hello: &Hello, suite: &Suite) -> Vec<String> {
     unknown.chain(twice.chain(twice_too).map(|name| format!("'{name}' is named twice"))).collect()
 }
 
-/// Why nothing can be said of a profile that is named: none of its cases was asked, or those that were only advise, and
+/// Explains why a declared profile has no evidence: none of its cases was run, or only recommended cases were, and they
 /// failed.
 fn not_shown(profile: &str, verdicts: &[CaseResult]) -> Option<String> {
     let mut of = verdicts.iter().filter(|verdict| verdict.profile() == profile).peekable();
@@ -189,7 +190,7 @@ fn not_shown(profile: &str, verdicts: &[CaseResult]) -> Option<String> {
     }
 }
 
-/// What is wrong with a waiver of cases that were run, beside that a case of its own passes.
+/// Describes a stale waiver of cases that were run, except for a single case that passes.
 fn not_needed(waiver: &Waiver, verdicts: &[CaseResult]) -> Option<String> {
     let of: Vec<_> = verdicts.iter().filter(|verdict| waiver.is_of(&verdict.id)).collect();
     let id = Shown(&waiver.id);
@@ -204,7 +205,7 @@ fn not_needed(waiver: &Waiver, verdicts: &[CaseResult]) -> Option<String> {
     }
 }
 
-/// What is asked of one start of the program after another.
+/// The state shared by consecutive starts of the program.
 struct Turn<'a> {
     runner: &'a Runner<'a>,
     cases: &'a [(&'a Profile, &'a SuiteCase)],
@@ -212,21 +213,22 @@ struct Turn<'a> {
     outcomes: &'a mut [Option<Outcome>],
     to_ask: VecDeque<usize>,
     asked: VecDeque<usize>,
-    /// Cases that are asked one at a time, because one of them may have ended the program.
+    /// Number of cases to run one at a time, because one of them may have ended the program.
     alone: usize,
-    /// How the program ended, while none of them has done so again.
+    /// The exit of the program, until a case reproduces it.
     unclear: Option<String>,
-    /// Whether one has failed that was to be the last.
+    /// Whether the first failure has ended the run.
     is_over: bool,
     faults: &'a mut Vec<String>,
-    /// When the whole run is given up.
+    /// The time limit of the whole run.
     deadline: Instant,
 }
 
 type Told<'a> = &'a mut dyn FnMut(usize, &Outcome);
 
 impl Turn<'_> {
-    /// Asks until all is answered or the program is of no use any more; then whoever was not to blame is asked again.
+    /// Sends cases until all are answered or the program has become useless. Cases that were not the cause stay to be
+    /// repeated.
     fn ask(&mut self, mut process: Process, told: Told<'_>) {
         let mut last = None;
         loop {
@@ -265,7 +267,7 @@ impl Turn<'_> {
                     self.settle(front, Outcome::Error(what), told);
                     return self.asked.clear();
                 }
-                // Of several that were asked any may be to blame: they are asked again, one at a time.
+                // Any of several unanswered cases may be the cause, so they are repeated one at a time.
                 Heard::End if self.asked.len() > 1 => {
                     self.alone = self.asked.len();
                     process.close();
@@ -288,7 +290,7 @@ impl Turn<'_> {
         }
     }
 
-    /// One case less is to be asked alone.
+    /// Counts a case that was run alone.
     fn asked_alone(&mut self) {
         self.alone = self.alone.saturating_sub(1);
         if self.alone == 0 {
@@ -296,14 +298,14 @@ impl Turn<'_> {
         }
     }
 
-    /// A program that has ended, and that no case ends again, is at fault all the same.
+    /// Reports an exit of the program that no case reproduces as a fault.
     fn tell_unclear(&mut self) {
         if let Some(how) = self.unclear.take() {
             self.faults.push(format!("the program ended with cases unanswered, and not again when asked alone: {how}"));
         }
     }
 
-    /// What a line says of the case that is to be answered, or who is to blame for what it is.
+    /// Checks a reply to the first unanswered case, or finds the case that caused an invalid line.
     fn judge(&self, front: usize, last: Option<usize>, line: &str) -> Result<Outcome, (usize, String)> {
         let reply = Reply::parse(line)
             .map_err(|error| (front, format!("not an answer: {} in {}", Shown(error.to_string()), Shown(line))))?;
@@ -320,7 +322,7 @@ impl Turn<'_> {
         })
     }
 
-    /// A case is done with. One that was done with before gets another outcome.
+    /// Stores the outcome of a case. A case that already has one gets the new outcome.
     fn settle(&mut self, i: usize, outcome: Outcome, told: Told<'_>) {
         if self.to_ask.front() == Some(&i) {
             self.to_ask.pop_front();
@@ -336,7 +338,7 @@ impl Turn<'_> {
         self.outcomes[i] = Some(outcome);
     }
 
-    /// Says goodbye; whoever goes on talking is to blame.
+    /// Ends the protocol. A program that keeps writing is at fault.
     fn bye(&mut self, mut process: Process, last: Option<usize>) {
         process.say(text(&Request::Bye));
         process.close();

@@ -1,4 +1,4 @@
-//! Wide walks as the library's own searches.
+//! Wide walks as searches of the library.
 
 use super::{Best, WideWalk};
 use crate::own::text::hex;
@@ -9,7 +9,7 @@ use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{self, Topology as _, Tree, TreeError, Wanted, child_key, is_beyond};
 
 impl WideWalk {
-    /// The tree.
+    /// Returns the tree.
     ///
     /// # Errors
     /// [`TreeError`].
@@ -17,7 +17,7 @@ impl WideWalk {
         Tree::new(&self.children.iter().map(Option::as_deref).collect::<Vec<_>>())
     }
 
-    /// The search, at its beginning. `None` if ranks or hits do not fit the tree.
+    /// Returns the search, before its first step; `None` if ranks or hits do not fit the tree.
     pub fn search<const A: usize, const SORTED: bool>(&self) -> Option<ScriptedSearch<'_, A, SORTED>> {
         let is_slot = |(slot, rank): (usize, &Option<u32>)| rank.is_none_or(|rank| rank as usize % A == slot);
         let fits = self.children.len() == self.ranks.len()
@@ -31,13 +31,13 @@ impl WideWalk {
         fits.then(|| ScriptedSearch { walk: self, end: self.end.unwrap_or(u32::MAX), best: self.hit })
     }
 
-    /// Whether children come in the order of their ranks. `[WIDE-5]` `[WIDE-6]`
+    /// Returns whether children are ordered by rank. `[WIDE-5]` `[WIDE-6]`
     pub fn is_sorted(&self) -> bool {
         self.sorted.unwrap_or(true)
     }
 }
 
-/// A search that does as a case says.
+/// A search with the decisions of a case.
 #[derive(Clone, Debug)]
 pub struct ScriptedSearch<'w, const A: usize, const SORTED: bool> {
     walk: &'w WideWalk,
@@ -46,12 +46,12 @@ pub struct ScriptedSearch<'w, const A: usize, const SORTED: bool> {
 }
 
 impl<const A: usize, const SORTED: bool> ScriptedSearch<'_, A, SORTED> {
-    /// The best hit so far.
+    /// Returns the best hit so far.
     pub const fn best(&self) -> Option<Best> {
         self.best
     }
 
-    /// Of these slots those whose children are wanted, with their ranks.
+    /// Returns the wanted children in these slots, with their ranks.
     pub fn of(&self, node: Node, slots: u32) -> Wanted<[u32; A]> {
         let told = self.walk.ranks.get(node.index()).and_then(Option::as_ref);
         let mut wanted = Wanted { set: 0, ranks: [0; A] };
@@ -86,7 +86,7 @@ impl<const A: usize, const SORTED: bool> wide::Search<A> for ScriptedSearch<'_, 
     }
 }
 
-/// The trace of visits, which follow one of `before` or begin at the root. `[TRACE-1]` `[WIDE-7]`
+/// Formats the trace of visits, which follow the last one of `before` or begin at the root. `[TRACE-1]` `[WIDE-7]`
 pub fn wide_events<const A: usize>(tree: &Tree<A>, before: Option<Node>, visits: &[Node]) -> Vec<String> {
     let mut places = vec![Place { key: Grow::one(), level: 0, parent: None }; tree.node_count()];
     let mut open = vec![tree.root()];
@@ -121,7 +121,7 @@ struct Place {
     parent: Option<Node>,
 }
 
-/// Notes visits.
+/// Records visits.
 #[derive(Debug, Default)]
 pub(crate) struct Noted(pub(crate) Vec<Node>);
 

@@ -1,4 +1,4 @@
-//! Objects and floats as the suite's files have them, and what others have written.
+//! Objects and floats in the format of the suite's files, and quotations of untrusted text.
 
 use core::fmt::{self, Write as _};
 use std::io::{self, BufRead, Read as _};
@@ -7,17 +7,17 @@ use serde::de::{Error as _, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value, json};
 
-/// Named values as an object.
+/// Builds an object from named values.
 pub(super) fn object<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Map<String, Value> {
     fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }
 
-/// The bits of floats, 8 digits each, a space between.
+/// Formats the bits of floats: 8 digits each, separated by spaces.
 pub(super) fn floats(floats: &[f32]) -> String {
     floats.iter().map(|float| format!("{:08x}", float.to_bits())).collect::<Vec<_>>().join(" ")
 }
 
-/// As many floats as are asked for, and no more.
+/// Parses exactly `N` floats.
 pub(super) fn parse_floats<const N: usize>(text: &str) -> Option<[f32; N]> {
     let mut words = text.split(' ');
     let mut floats = [0.0; N];
@@ -29,16 +29,16 @@ pub(super) fn parse_floats<const N: usize>(text: &str) -> Option<[f32; N]> {
     words.next().is_none().then_some(floats)
 }
 
-/// A hit with its distance and weights as answers have it.
+/// Formats a hit with its distance and weights for answers.
 pub(super) fn hit(prim: u32, [t, u, v]: [f32; 3]) -> Value {
     let bits = |x: f32| floats(&[x]);
     json!({ "prim": prim, "t": bits(t), "u": bits(u), "v": bits(v) })
 }
 
-/// Longest line that is read, in bytes.
+/// The maximum length of a line, in bytes.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// The next line with its end, or `None` after the last. One that is too long or no text is
+/// Reads the next line with its line end; `None` after the last. A line that is too long or not text gives
 /// [`InvalidData`](io::ErrorKind::InvalidData).
 pub(super) fn read_line(input: &mut impl BufRead) -> io::Result<Option<String>> {
     let mut bytes = Vec::new();
@@ -52,12 +52,12 @@ pub(super) fn read_line(input: &mut impl BufRead) -> io::Result<Option<String>> 
     String::from_utf8(bytes).map(Some).map_err(|error| invalid(format!("a line that is not UTF-8: {error}")))
 }
 
-/// The JSON of a line, in which no key stands twice.
+/// Parses a line of JSON without duplicate keys.
 pub(super) fn parse(line: &str) -> serde_json::Result<Value> {
     serde_json::from_str::<Strict>(line).map(|Strict(value)| value)
 }
 
-/// A value whose objects have each key once. (Those of `serde_json` keep the last.)
+/// A value whose objects have no duplicate keys. (`serde_json` would accept them and use the last value.)
 struct Strict(Value);
 
 impl<'de> Deserialize<'de> for Strict {
@@ -118,7 +118,7 @@ impl<'de> Visitor<'de> for StrictVisitor {
     }
 }
 
-/// What others have written, for a message: its beginning, on one line.
+/// Untrusted text for a message: its beginning, on one line.
 pub(super) struct Shown<T>(pub(super) T);
 
 impl<T: AsRef<str>> fmt::Display for Shown<T> {
@@ -132,7 +132,8 @@ impl<T: AsRef<str>> fmt::Display for Shown<T> {
     }
 }
 
-/// Whether a terminal shows a character and does nothing else: no codes, and no change of the writing's direction.
+/// Returns whether a character is printable and safe in a terminal: neither a control code nor a change of writing
+/// direction.
 fn is_seen(c: char) -> bool {
     !c.is_control()
         && !matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')

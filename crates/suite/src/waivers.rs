@@ -10,8 +10,8 @@ use wildmatch::WildMatch;
 use super::text::Shown;
 use super::{Suite, Withdrawn};
 
-/// Cases that fail for a reason that is known: `[{"id": ..., "reason": ...}, ...]`. In an id `*` is any text and `?` any
-/// character. One that is not needed is reported, so that the list does not grow old.
+/// Cases that fail for a known reason: `[{"id": ..., "reason": ...}, ...]`. In an id, `*` matches any text and `?` any
+/// character. Unneeded waivers are reported, so the list stays current.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Waivers {
     list: Vec<Waiver>,
@@ -21,41 +21,41 @@ pub struct Waivers {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Waiver {
-    /// Of a case, or a pattern of such.
+    /// The id of a case, or a pattern of ids.
     pub id: String,
-    /// Why it fails.
+    /// The reason for the failure.
     pub reason: String,
 }
 
 impl Waiver {
-    /// Whether it is of more than one case: of these some may pass.
+    /// Returns whether the id is a pattern. Some of its cases may pass.
     pub fn is_pattern(&self) -> bool {
         self.id.contains(['*', '?'])
     }
 
-    /// Whether it is of this case.
+    /// Returns whether it applies to this case.
     pub fn is_of(&self, id: &str) -> bool {
         self.id == id || self.is_pattern() && WildMatch::new(&self.id).matches(id)
     }
 }
 
-/// Why a file is not a list of waivers.
+/// Errors of reading a list of waivers.
 #[derive(Debug, thiserror::Error)]
 pub enum WaiverError {
-    /// It cannot be read.
+    /// The file cannot be read.
     #[error("{0}")]
     Read(#[from] std::io::Error),
-    /// It is no such list. (The message names line and column.)
+    /// The text is not a list of waivers. The message has line and column.
     #[error(
         "{}: {}; expected a list of waivers: [{{\"id\": ..., \"reason\": ...}}, ...]",
         if .0.is_data() { "not waivers" } else { "not JSON" },
         Shown(.0.to_string())
     )]
     Json(#[from] serde_json::Error),
-    /// An id stands twice.
+    /// An id occurs twice.
     #[error("case '{}' stands twice", Shown(.0))]
     Twice(String),
-    /// There is no such case.
+    /// The suite has no such case.
     #[error("there is no case '{}'", Shown(.0))]
     Unknown(String),
     /// The case was withdrawn.
@@ -85,10 +85,10 @@ impl Waivers {
         Ok(Self { list })
     }
 
-    /// Whether each is of a case of the suite: of the whole one, not only of what is run.
+    /// Checks that each waiver applies to a case of the whole suite, even if the case is not run.
     ///
     /// # Errors
-    /// [`WaiverError::Withdrawn`] or [`WaiverError::Unknown`], for the first that is not.
+    /// [`WaiverError::Withdrawn`] or [`WaiverError::Unknown`], for the first one that does not.
     pub fn check(&self, suite: &Suite) -> Result<(), WaiverError> {
         match self.list.iter().find(|waiver| !suite.cases().any(|(_, case)| waiver.is_of(&case.id))) {
             Some(waiver) => Err(Withdrawn::of(&waiver.id)
@@ -97,13 +97,13 @@ impl Waivers {
         }
     }
 
-    /// The waiver of a case: by its own id, or else the first pattern.
+    /// Returns the waiver of a case: the one with its id, or the first pattern that matches.
     pub fn of(&self, id: &str) -> Option<&Waiver> {
         let own = self.list.iter().find(|waiver| waiver.id == id);
         own.or_else(|| self.list.iter().find(|waiver| waiver.is_of(id)))
     }
 
-    /// All of them.
+    /// Returns all waivers.
     pub fn all(&self) -> &[Waiver] {
         &self.list
     }

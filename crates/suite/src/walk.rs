@@ -1,22 +1,23 @@
-//! Walks as the library's own cases.
+//! Walks as cases of the library.
 
 use super::{Children, Walk};
 use stackless_bvh::generate::{Cell, Tape};
 use stackless_bvh::tree::{Tree, TreeError};
 
-/// Why a walk is no case.
+/// Errors of converting a walk to a case.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WalkError {
-    /// The children are no tree.
+    /// The children do not form a tree.
     #[error("children: {0}")]
     Tree(#[from] TreeError),
-    /// Script or cells do not fit the tree, or there are both or neither.
+    /// Script or cells do not fit the tree, or not exactly one of them is given.
     #[error("expected a script or cells that fit the tree")]
     Search,
 }
 
 impl Walk {
-    /// The tree with its search. A script becomes a tape: what is not wanted is missed, and a leaf that stops is hit.
+    /// Returns the tree with its search. A script becomes a tape: unwanted nodes are missed, and leaves that stop the
+    /// search are hit.
     ///
     /// # Errors
     /// [`WalkError`].

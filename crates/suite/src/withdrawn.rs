@@ -7,11 +7,11 @@ use serde::Serialize;
 /// A withdrawn case: its expectation was wrong, or a definition has changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Withdrawn {
-    /// The id that it had.
+    /// Its former id.
     pub id: &'static str,
     /// The first version of the suite without it.
     pub since: &'static str,
-    /// Why, and which case replaces it.
+    /// The reason, with the case that replaces it.
     pub reason: &'static str,
 }
 

@@ -1,19 +1,19 @@
-//! What the conformance suite expects is what the models of spec/rocq do: the cases of `trace/script` and
-//! `trace/complete` with trees of up to 70 nodes, with the file's expectations, written as a Rocq example, which
-//! `spec/rocq/check.sh` evaluates. With `UPDATE=1` the file is written anew. `[ORACLE-1, TRAVERSE-1, TRAIL-4]`
+//! Compares the expectations of the suite with the models of spec/rocq. The cases of `trace/script` and
+//! `trace/complete` with trees of up to 70 nodes become a Rocq example, which `spec/rocq/check.sh` evaluates.
+//! `UPDATE=1` rewrites the file. `[ORACLE-1, TRAVERSE-1, TRAIL-4]`
 
 use std::fs;
 use std::path::Path;
 
 use stackless_suite::{Ask, Children, Expect, SuiteCase, author};
 
-/// Of larger trees the examples would take megabytes, and minutes to evaluate.
+/// Examples of larger trees would have megabytes and take minutes.
 const MOST_NODES: usize = 70;
 
-/// A key, as its bits.
+/// A key as bits.
 type Bits = String;
 
-/// A number as Rocq reads it.
+/// Formats a number for Rocq.
 fn hex(bits: &Bits) -> String {
     let padded = format!("{}{bits}", "0".repeat(bits.len().next_multiple_of(4) - bits.len()));
     let digits = padded.as_bytes().chunks(4).map(|digit| {
@@ -23,7 +23,7 @@ fn hex(bits: &Bits) -> String {
     format!("0x{}", digits.collect::<String>().trim_start_matches('0'))
 }
 
-/// A script as Rocq has it, by key.
+/// A script for Rocq, by key.
 #[derive(Default)]
 struct Script {
     decisions: Vec<String>,
@@ -32,7 +32,7 @@ struct Script {
 }
 
 impl Script {
-    /// Reads what is said in a subtree, and returns that as Rocq has it.
+    /// Converts the decisions of a subtree to Rocq.
     fn read(&mut self, children: &Children, script: &[u8], node: usize, key: &Bits) -> String {
         let positive = format!("{}%positive", hex(key));
         let Some(pair) = children[node] else {
@@ -53,7 +53,7 @@ impl Script {
     }
 }
 
-/// The example of a case, whose expectation is a trace with trails.
+/// Formats the example of a case whose expectation is a trace with trails.
 fn example(case: &SuiteCase, number: usize) -> String {
     let Ok(Ask::Trace(walk)) = Ask::of(&case.input) else { panic!("{}", case.id) };
     let Expect::Result(result) = &case.expect else { panic!("{}", case.id) };

@@ -1,6 +1,6 @@
-//! The conformance suite: its files are as made, and this library conforms.
+//! The conformance suite: its files are up to date, and this library conforms.
 //!
-//! `tests/planted` runs it on the library with bugs.
+//! `tests/planted` runs the suite on the library with planted bugs.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -28,10 +28,10 @@ mod report;
 #[path = "suite/runner.rs"]
 mod runner;
 
-/// The suite, which takes seconds to make.
+/// The suite. Generating it takes seconds.
 static SUITE: LazyLock<Suite> = LazyLock::new(author::suite);
 
-/// The cases with such ids.
+/// Selects the cases whose ids satisfy a predicate.
 fn suite_of(is_wanted: impl Fn(&str) -> bool) -> Suite {
     let of = |profile: &Profile| {
         let cases = profile.cases.iter().filter(|case| is_wanted(&case.id)).cloned().collect();
@@ -44,7 +44,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite")
 }
 
-/// To make the files anew: `UPDATE=1 cargo test -p stackless-suite --test suite`.
+/// To regenerate the files: `UPDATE=1 cargo test -p stackless-suite --test suite`.
 #[test]
 fn the_files_are_as_made() {
     let suite = &*SUITE;
@@ -60,8 +60,8 @@ fn the_files_are_as_made() {
     assert!(std::env::var_os("UPDATE").is_some() || Suite::shipped().unwrap() == *suite);
 }
 
-/// What ids of cases begin with that are newer than the table. The next run of `spec/suite/peers.py` adds their rows; then
-/// this list is empty.
+/// Prefixes of ids of cases that are newer than the table. The next run of `spec/suite/peers.py` adds their rows and
+/// empties this list.
 const NOT_IN_TABLE: [&str; 21] = [
     "watertight/octahedron-ends",
     "watertight/octahedron-behind",
@@ -86,7 +86,7 @@ const NOT_IN_TABLE: [&str; 21] = [
     "exact/triangle-2^-15",
 ];
 
-/// `spec/suite/peers.py` makes the table anew; what others answer is not asked here.
+/// `spec/suite/peers.py` generates the table. This test does not run other ray tracers.
 #[test]
 fn the_table_of_other_ray_tracers_has_each_case() {
     let suite = &*SUITE;
@@ -100,7 +100,7 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     assert!(NOT_IN_TABLE.iter().all(|start| newer.iter().any(|id| id.starts_with(start))), "{newer:?}");
 }
 
-/// An id stands for one case for ever, and a reason names cases that exist.
+/// The ids of withdrawn cases are never used again, and their reasons name existing cases.
 #[test]
 fn no_id_of_a_withdrawn_case_is_used_again() {
     let ids: BTreeSet<_> = SUITE.cases().map(|(_, case)| case.id.as_str()).collect();
@@ -115,7 +115,7 @@ fn no_id_of_a_withdrawn_case_is_used_again() {
     assert!(!withdrawn.is_empty());
 }
 
-/// What the suite promises to those who read it.
+/// Checks the properties that the documentation of the suite promises.
 #[test]
 fn the_suite_is_as_promised() {
     let suite = &*SUITE;
@@ -130,7 +130,7 @@ fn the_suite_is_as_promised() {
     }
 }
 
-/// Every traversal in every word. `[CONF-1]` `[CONF-2]` `[CONF-3]`
+/// Checks every traversal with every word. `[CONF-1]` `[CONF-2]` `[CONF-3]`
 #[test]
 fn this_library_conforms() {
     let suite = &*SUITE;
@@ -144,7 +144,7 @@ fn this_library_conforms() {
         let hello = library.hello();
         let mut asked = 0;
         for (profile, case) in suite.cases() {
-            // Words and methods make no difference to the others.
+            // Other levels do not depend on word and method.
             let is_walk = matches!(profile.level, Level::Trace | Level::Resume);
             if hello.asks_for(profile, case) && (is_walk || method.is_none()) {
                 asked += 1;
@@ -157,7 +157,7 @@ fn this_library_conforms() {
     }
 }
 
-/// Every traversal of wide trees. `[CONF-1]` `[CONF-3]` `[WIDE-7]` `[WIDE-14]`
+/// Checks every traversal of wide trees. `[CONF-1]` `[CONF-3]` `[WIDE-7]` `[WIDE-14]`
 #[test]
 fn this_library_conforms_on_wide_trees() {
     let suite = &*SUITE;
@@ -186,7 +186,7 @@ fn this_library_conforms_on_wide_trees() {
     }
 }
 
-/// Who carries trees of some slots is asked about these. `[CONF-3]`
+/// Only cases with supported numbers of slots are run. `[CONF-3]`
 #[test]
 fn only_slots_that_are_carried_are_asked_for() {
     let limits: Limits = serde_json::from_str(r#"{"wide":{"8":16}}"#).unwrap();
@@ -203,7 +203,7 @@ fn only_slots_that_are_carried_are_asked_for() {
     assert!(asked.keys().eq(["2", "4", "8"]) && asked.values().all(|&count| count > 100), "{asked:?}");
 }
 
-/// Key 2 with trail 3 would have the node on the path pending too. `[WIDE-10]`
+/// With key 2 and trail 3, the node on the path would also be pending. `[WIDE-10]`
 #[test]
 fn a_wide_state_that_is_none_is_rejected() {
     let mut library = Library::default();
@@ -272,7 +272,7 @@ fn a_table_needs_its_fields_and_no_more() {
     }
 }
 
-/// A deep tree of which no long key is hashed needs no seed of the fold, and may have one. `[HASH-6]`
+/// A deep tree without hashed long keys needs no seed for folding, but may have one. `[HASH-6]`
 #[test]
 fn a_table_without_long_keys_may_have_no_fold() {
     let mut library = Library::default();

@@ -1,4 +1,4 @@
-//! What names stand for, and calls: of functions, closures and methods.
+//! Resolution of names, and calls of functions, closures and methods.
 
 use syn::Expr as Rust;
 
@@ -9,7 +9,7 @@ use crate::source::text;
 use crate::value::{Bits, Expr, Format, Value};
 
 impl Reader<'_> {
-    /// What a name stands for.
+    /// Returns the value of a name.
     pub(crate) fn path(&mut self, frame: &mut Frame, path: &syn::Path) -> Result<Value> {
         let name = text(path);
         if let Some((_, value)) = frame.seen.iter().rev().find(|(seen, _)| *seen == name) {
@@ -40,12 +40,12 @@ impl Reader<'_> {
         Ok(Value::Function(owner, name.into()))
     }
 
-    /// A constant: a number keeps its name, others are what they are.
+    /// Returns a constant. A number keeps its name.
     fn constant(&mut self, frame: &Frame, owner: &str, name: &str) -> Result<Value> {
         let constant = self.source.constant(&frame.place.file, owner, name);
         let constant = match (constant, owner) {
             (Ok(constant), _) => constant.clone(),
-            // A function by its name alone.
+            // A function without a path.
             (Err(_), "") if self.source.function(&frame.place.file, name).is_ok() => {
                 return Ok(Value::Function(String::new(), name.into()));
             }
@@ -102,7 +102,7 @@ impl Reader<'_> {
                     self.bind(&mut inside, input, argument, false)?;
                 }
                 let value = self.always(|reader| reader.eval(&mut inside, &closure.body))?;
-                // It would have to change what is outside.
+                // It would have to change outer variables.
                 let changed = closure.seen.iter().zip(&inside.seen).any(|((_, x), (_, y))| !x.is_same(y));
                 if changed { Err("a closure that changes something".into()) } else { Ok(value) }
             }
@@ -110,7 +110,7 @@ impl Reader<'_> {
                 ("f32", "from_bits", [Value::Unknown(_)]) => Ok(arguments[0].clone()),
                 ("f32", "from_bits", [bits]) => operators::from_bits(Format::Single, bits),
                 ("f64", "from_bits", [bits]) => operators::from_bits(Format::Double, bits),
-                // In each lane.
+                // Each lane separately.
                 ("f32", "splat" | "load_array" | "load_array_ref" | "from_slice", [_, lane]) => Ok(lane.clone()),
                 ("", "Some", [Value::Bool(x)]) => Ok(Value::Maybe(Expr::Call("Some".into(), vec![(None, x.clone())]))),
                 ("", "Some", [x]) => Ok(Value::Option(Expr::True, Box::new(x.clone()))),
@@ -122,7 +122,7 @@ impl Reader<'_> {
                     Ok(self.call(&function, arguments)?.0)
                 }
                 (owner, name, _) => {
-                    // A trait's function is that of its operand's type.
+                    // A trait's function is the implementation for its operand's type.
                     let own = self.source.method(owner, name, "").or_else(|error| match arguments {
                         [first, ..] => self.source.method(&first.type_name(), name, "").map_err(|_| error),
                         [] => Err(error),
@@ -137,7 +137,7 @@ impl Reader<'_> {
 
     pub(crate) fn method(&mut self, frame: &mut Frame, on: Value, name: &str, with: &[Value]) -> Result<Value> {
         match (&on, name, with) {
-            // One of the library's own, of lanes.
+            // A library function on lanes.
             (Value::Real(Some(format), _), ..) if let Ok(function) = self.source.method(lanes(*format), name, "") => {
                 let function = function.clone();
                 let arguments = std::iter::once(on.clone()).chain(with.iter().cloned()).collect::<Vec<_>>();
@@ -205,7 +205,7 @@ impl Reader<'_> {
                 })
             }
             (Value::Bool(condition), "then_some", [x]) => Ok(Value::Option(condition.clone(), Box::new(x.clone()))),
-            // What is not asked for does no harm.
+            // Unused values are permitted.
             (Value::Bool(condition), "then", [function]) => {
                 Ok(Value::Option(condition.clone(), Box::new(self.apply(frame, function, &[])?)))
             }
@@ -230,7 +230,7 @@ impl Reader<'_> {
     }
 }
 
-/// Four numbers.
+/// Returns the type of four numbers.
 const fn lanes(format: Format) -> &'static str {
     match format {
         Format::Single => "f32x4",

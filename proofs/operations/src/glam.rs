@@ -1,5 +1,5 @@
-//! What the kernels use of glam's vectors, written out: the meaning that the reader gives to it. This file is read as
-//! the library's are. It is also compiled, and compared with glam itself on numbers, bit by bit.
+//! The operations of glam's vectors that the kernels use, written out: their meaning for the reader. This file is read
+//! like the library's. It is also compiled, and compared with glam on numbers, bit by bit.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
@@ -77,8 +77,7 @@ impl DVec3 {
         Self::new(1.0 / self.x, 1.0 / self.y, 1.0 / self.z)
     }
 
-    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has
-    /// another.
+    /// For numbers except NaN, and up to the sign of zero. The order is that of glam 0.34.3; 0.34.2 has another.
     pub(crate) fn max_element(self) -> f64 {
         let max = |a: f64, b: f64| if a > b { a } else { b };
         max(max(self.x, self.y), self.z)
@@ -173,8 +172,7 @@ impl Vec3 {
         )
     }
 
-    /// Of numbers that are no NaN, and but for the sign of a zero: the order is that of glam 0.34.3, and 0.34.2 has
-    /// another.
+    /// For numbers except NaN, and up to the sign of zero. The order is that of glam 0.34.3; 0.34.2 has another.
     pub(crate) fn max_element(self) -> f32 {
         let max = |a: f32, b: f32| if a > b { a } else { b };
         max(max(self.x, self.y), self.z)
@@ -259,12 +257,12 @@ impl Vec4 {
         Self::new(self.x.abs(), self.y.abs(), self.z.abs(), self.w.abs())
     }
 
-    /// As the instruction of SSE, which is where the kernels call it.
+    /// Equals the SSE instruction, which the kernels use.
     pub(crate) fn min(self, rhs: Self) -> Self {
         Self::select(self.cmplt(rhs), self, rhs)
     }
 
-    /// As the instruction of SSE, which is where the kernels call it.
+    /// Equals the SSE instruction, which the kernels use.
     pub(crate) fn max(self, rhs: Self) -> Self {
         Self::select(self.cmpgt(rhs), self, rhs)
     }

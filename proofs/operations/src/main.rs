@@ -1,7 +1,7 @@
 //! Reads the operations of the kernels from their source, and prints them for Rocq.
 //!
-//! `operations ROOT` reads the files under that root of a copy of the repository. What it does not understand it
-//! refuses.
+//! `operations ROOT` reads the files under that root of a copy of the repository. It rejects code that it does not
+//! understand.
 
 mod calls;
 #[cfg(test)]

@@ -1,10 +1,10 @@
-//! What Rust's own operators and methods do with numbers, truth values, integers and bits.
+//! Rust's operators and methods on numbers, truth values, integers and bits.
 
 use syn::BinOp;
 
 use crate::value::{Bits, Expr, Format, Value, constant, same_format};
 
-/// An operator on two values that are no structs.
+/// Applies an operator to two values that are not structs.
 pub(crate) fn binary(op: &BinOp, left: &Value, right: &Value) -> Result<Value, String> {
     match (left, right) {
         (Value::Real(a, x), Value::Real(b, y)) => real(op, same_format(*a, *b)?, x, y),
@@ -80,7 +80,7 @@ fn integer(op: &BinOp, x: i128, y: i128) -> Result<Value, String> {
     result.map(Value::Int).ok_or_else(|| "an operation on integers".into())
 }
 
-/// One more, or an operation on each of the counts that it may be.
+/// Adds one, or applies an operation to each possible count.
 fn count(op: &BinOp, x: &Expr, y: i128) -> Result<Expr, String> {
     match (x, integer(op, if let Expr::Number(x) = x { *x } else { 0 }, y)) {
         (Expr::Number(_), Ok(Value::Int(result))) => Ok(Expr::Number(result)),
@@ -92,7 +92,7 @@ fn count(op: &BinOp, x: &Expr, y: i128) -> Result<Expr, String> {
     }
 }
 
-/// Bits of a number: only what has a meaning for the number.
+/// Operates on the bits of a number. Only operations with a meaning for the number are supported.
 fn bits(op: &BinOp, format: Format, x: &Bits, y: &Value) -> Result<Value, String> {
     let (sign, exponent) = match format {
         Format::Single => (1 << 31, 0x7f80_0000),
@@ -108,7 +108,7 @@ fn bits(op: &BinOp, format: Format, x: &Bits, y: &Value) -> Result<Value, String
         }
         (BinOp::BitAnd(_), Bits::Plus(x, 0), Value::Int(only)) if *only == sign - 1 => Bits::Magnitude(x.clone(), 0),
         (BinOp::Add(_), Bits::Magnitude(x, by), Value::Int(more)) => Bits::Magnitude(x.clone(), by + more),
-        // The sign that it had.
+        // The original sign.
         (BinOp::BitOr(_), Bits::Capped(x, by), Value::Bits(same, Bits::Sign(y))) if *same == format && x == y => {
             Bits::Plus(x.clone(), *by)
         }
@@ -123,7 +123,7 @@ fn bits(op: &BinOp, format: Format, x: &Bits, y: &Value) -> Result<Value, String
     Ok(Value::Bits(format, found))
 }
 
-/// The number of these bits.
+/// Returns the number with these bits.
 pub(crate) fn from_bits(format: Format, value: &Value) -> Result<Value, String> {
     let known = Some(format);
     let number = match value {
@@ -176,7 +176,7 @@ fn mask(op: &BinOp, x: &[Expr], y: &Value) -> Result<Value, String> {
     }
 }
 
-/// A method of a number.
+/// Calls a method of a number.
 pub(crate) fn method(x: &Expr, format: Option<Format>, name: &str, with: &[Value]) -> Result<Value, String> {
     let known = format.ok_or_else(|| format!("{name} of a literal"))?;
     let number = |e| Ok(Value::Real(format, e));
@@ -188,7 +188,7 @@ pub(crate) fn method(x: &Expr, format: Option<Format>, name: &str, with: &[Value
         ("abs", 0) => number(Expr::op("absolute", format, [x.clone()])),
         ("sqrt", 0) => number(Expr::op("root", format, [x.clone()])),
         ("recip", 0) => number(Expr::op("over", format, [Expr::Constant(1, 0), x.clone()])),
-        // Of numbers that are no NaN, and but for the sign of a zero, which Rust leaves open. See the tests.
+        // For numbers except NaN, and up to the sign of zero, which Rust leaves open. See the tests.
         ("max", 1) => other().and_then(|y| number(Expr::op("less", format, [y.clone(), x.clone()]).choose(x, &y))),
         ("min" | "min_precise", 1) => {
             other().and_then(|y| number(Expr::op("less", format, [x.clone(), y.clone()]).choose(x, &y)))
@@ -204,7 +204,7 @@ pub(crate) fn method(x: &Expr, format: Option<Format>, name: &str, with: &[Value
     }
 }
 
-/// The number that a type's constant is.
+/// Returns the number of a type's constant.
 pub(crate) fn constant_of(format: Format, name: &str) -> Result<Value, String> {
     let (digits, greatest) = match format {
         Format::Single => (24, 128),
@@ -223,7 +223,7 @@ pub(crate) fn constant_of(format: Format, name: &str) -> Result<Value, String> {
     Ok(Value::Real(Some(format), number))
 }
 
-/// `as` and `from`.
+/// Converts a number, for `as` and `from`.
 pub(crate) fn convert(value: &Value, to: Format) -> Result<Value, String> {
     let number = match (value, to) {
         (Value::Int(x), _) if (0..1 << 24).contains(x) => Expr::Constant(*x, 0),

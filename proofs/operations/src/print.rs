@@ -23,7 +23,7 @@ Variable widen : num single -> num double.
 Variable narrow : num double -> num single.
 ";
 
-/// The whole file, each definition as soon as it is known: who sees a difference need not wait for the rest.
+/// Prints the whole file, each definition as soon as it is known, so differences appear early.
 pub(crate) fn file(source: &Source, out: &mut impl io::Write) -> Result<()> {
     let mut write = |text: &str| out.write_all(text.as_bytes()).map_err(|error| error.to_string());
     write(HEAD)?;
@@ -51,7 +51,7 @@ fn name_of(target: &Target) -> String {
 
 type Definition = (Vec<(Place, String)>, String, Printed);
 
-/// The constants that a function needs, its definition, and how it is called by those after it.
+/// Returns the constants that a function needs, its definition, and its call for later functions.
 fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<Definition> {
     let mut found = source
         .functions
@@ -97,7 +97,7 @@ fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<D
     let results = results(&result)?;
     let (mut lets, mut results) = tidy(reader.lets, results);
     renamed(&reader.renamed, &mut lets, &mut results);
-    // One name for two numbers would say another thing than the code.
+    // Two numbers with one name would change the meaning of the code.
     let mut names: Vec<_> = lets.iter().flat_map(|x| &x.names).chain(parameters.iter().map(|(name, _)| name)).collect();
     names.sort();
     if let Some([twice, _]) = names.array_windows().find(|[one, next]| one == next) {
@@ -124,7 +124,7 @@ fn definition(source: &Source, target: &Target, printed: &[Printed]) -> Result<D
     Ok((reader.constants, text, function))
 }
 
-/// What has names, and after it the results.
+/// Prints the named values, and then the results.
 fn body(lets: &[Let], results: &[(Expr, Option<Format>)], indent: &str) -> Result<String> {
     let mut text = String::new();
     for Let { names, value, format, .. } in lets {
@@ -148,7 +148,7 @@ fn rust_name(target: &Target) -> String {
     if target.owner.is_empty() { target.name.into() } else { format!("{}::{}", target.owner, target.name) }
 }
 
-/// What a parameter stands for: a pattern of names gives its parts theirs.
+/// Returns the value of a parameter. A pattern gives names to its parts.
 fn parameter(reader: &Reader<'_>, typed: &syn::PatType, owner: &str) -> Result<Value> {
     fn with(reader: &Reader<'_>, pattern: &syn::Pat, ty: &syn::Type, owner: &str) -> Result<Value> {
         match (pattern, ty) {
@@ -174,7 +174,7 @@ fn parameter(reader: &Reader<'_>, typed: &syn::PatType, owner: &str) -> Result<V
     with(reader, &typed.pat, &typed.ty, owner)
 }
 
-/// The names of a parameter's numbers, with their types.
+/// Returns the names of a parameter's numbers, with their types.
 fn parameters(value: &Value) -> Vec<(String, String)> {
     let mut found = Vec::new();
     let each = value.leaves("", &mut |_, leaf| {
@@ -192,18 +192,18 @@ fn parameters(value: &Value) -> Vec<(String, String)> {
     found
 }
 
-/// The numbers of a result, with their formats.
+/// Returns the numbers of a result, with their formats.
 fn results(value: &Value) -> Result<Vec<(Expr, Option<Format>)>> {
     let mut found = Vec::new();
     value.leaves("", &mut |name, leaf| {
         match leaf {
             Value::Real(Some(format), x) => found.push((x.clone(), Some(*format))),
-            // Where a row begins is one of two.
+            // A row begins at one of two places.
             Value::Count(Expr::If(of)) if of[1..] == [Expr::Number(4), Expr::Number(0)] => {
                 found.push((of[0].clone(), None));
             }
             Value::Bool(x) | Value::Count(x) | Value::Maybe(x) | Value::Lane(x) => found.push((x.clone(), None)),
-            // A parameter that is passed on, and that nothing is known of.
+            // A parameter without known parts, passed on.
             other => return Err(format!("{} in the result, at {name}", other.kind())),
         }
         Ok(leaf.clone())
@@ -211,7 +211,7 @@ fn results(value: &Value) -> Result<Vec<(Expr, Option<Format>)>> {
     if found.is_empty() { Err("there is no result".into()) } else { Ok(found) }
 }
 
-/// Without the names that nothing uses, and those of operands that are used once.
+/// Removes unused names, and names of operands that are used once.
 pub(crate) fn tidy(
     mut lets: Vec<Let>,
     mut results: Vec<(Expr, Option<Format>)>,
@@ -232,7 +232,7 @@ pub(crate) fn tidy(
     (lets, results)
 }
 
-/// With the names that the source has given to operands.
+/// Replaces names of operands by those of the source.
 pub(crate) fn renamed(names: &BTreeMap<String, String>, lets: &mut [Let], results: &mut [(Expr, Option<Format>)]) {
     for (operand, written) in names {
         let named = Expr::Name(written.clone());
@@ -266,7 +266,7 @@ fn replace(expr: &mut Expr, name: &str, value: &Expr) {
     }
 }
 
-/// Lines of at most 136 characters.
+/// Wraps lines at 136 characters.
 fn wrapped(text: &str) -> String {
     let mut lines = String::new();
     for line in text.lines() {
@@ -289,7 +289,7 @@ fn wrapped(text: &str) -> String {
     lines
 }
 
-/// The definition of a constant.
+/// Prints the definition of a constant.
 fn constant(source: &Source, place: &Place, name: &str, known: &[(&str, &str)]) -> Result<String> {
     let constant = source.constant(&place.file, &place.owner, name)?;
     let mut reader = Reader::new(source, known, &[]);
@@ -311,7 +311,7 @@ fn constant(source: &Source, place: &Place, name: &str, known: &[(&str, &str)]) 
     Ok(format!("(** [{name}] of {}. *)\nDefinition {own} := {}.\n", place.file, printed_as(x, *format, false)?))
 }
 
-/// An expression of a format, in parentheses if it is an operand.
+/// Prints an expression of a format, in parentheses if it is an operand.
 fn printed_as(expr: &Expr, format: Option<Format>, is_operand: bool) -> Result<String> {
     let arithmetic = |format: Option<Format>| match format {
         Some(Format::Single) => Ok("single"),

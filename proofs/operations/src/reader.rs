@@ -1,7 +1,7 @@
 //! Runs functions of the source on unknown numbers, statement by statement.
 //!
-//! What is understood is what the kernels use. All else is an error, so that nothing is said of what was not
-//! understood.
+//! It supports the constructs that the kernels use. Every other construct is an error, so nothing is claimed about code
+//! that was not understood.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,29 +19,29 @@ pub(crate) struct Printed {
     pub(crate) name: String,
     /// Its name in Rocq.
     pub(crate) as_: String,
-    /// Which of its parameters' numbers it uses.
+    /// Whether each of its parameters' numbers is used.
     pub(crate) uses: Vec<bool>,
 }
 
 /// Reads one function.
 pub(crate) struct Reader<'s> {
     pub(crate) source: &'s Source,
-    /// What is known of generic parameters.
+    /// The values of generic parameters.
     pub(crate) known: &'s [(&'s str, &'s str)],
     /// Functions that are called by their names in Rocq.
     pub(crate) printed: &'s [Printed],
     pub(crate) lets: Vec<Let>,
     pub(crate) taken: BTreeSet<String>,
-    /// Names of operands that the source has named later.
+    /// New names of operands that the source names later.
     pub(crate) renamed: BTreeMap<String, String>,
-    /// Constants that were met, with their places.
+    /// Constants used, with their places.
     pub(crate) constants: Vec<(Place, String)>,
-    /// What must be there in the function that is run: `?` has asked for it.
+    /// Conditions of early returns: `?` requires them in the function being run.
     pub(crate) asked: Vec<Expr>,
     depth: u32,
 }
 
-/// What the code of a function sees.
+/// The variables visible to a function's code.
 #[derive(Clone)]
 pub(crate) struct Frame {
     pub(crate) place: Place,
@@ -54,7 +54,7 @@ impl<'s> Reader<'s> {
         Self { source, known, printed, lets, taken, renamed, constants, asked: Vec::new(), depth: 0 }
     }
 
-    /// Runs a function; what it gives, and what becomes of its first parameter.
+    /// Runs a function. Returns its result, and the new value of its first parameter.
     pub(crate) fn call(&mut self, function: &Function, arguments: &[Value]) -> Result<(Value, Value)> {
         if function.inputs.len() != arguments.len() {
             return Err(format!("{} takes {} operands", function.name, function.inputs.len()));
@@ -91,7 +91,7 @@ impl<'s> Reader<'s> {
         })?;
         let value = if printed.is_some() || self.depth == 0 { maybe(value) } else { value };
         if let (Some(printed), Some((lets, taken, renamed, constants))) = (printed, outside) {
-            // It was run for the shape of what it gives.
+            // It was run only to get the shape of its result.
             (self.lets, self.taken, self.renamed) = (lets, taken, renamed);
             self.constants.truncate(constants);
             return Ok((self.call_printed(printed, arguments, &value)?, Value::Unit));
@@ -99,7 +99,7 @@ impl<'s> Reader<'s> {
         Ok((value, frame.seen.first().map_or(Value::Unit, |(_, first)| first.clone())))
     }
 
-    /// A call by name of a function that gives something of this shape.
+    /// Calls a function by name, with a result of this shape.
     fn call_printed(&mut self, printed: &Printed, arguments: &[Value], shape: &Value) -> Result<Value> {
         let arguments = arguments.iter().map(|x| self.name("operand", x, false)).collect::<Result<Vec<_>>>()?;
         let all: Vec<_> = arguments.iter().flat_map(numbers).collect();
@@ -128,7 +128,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    /// Numbers of unknown format have that of a type, where it says one.
+    /// Sets unknown formats of numbers to that of a type, if it has one.
     pub(crate) fn typed(&self, value: &Value, ty: &syn::Type) -> Result<Value> {
         Ok(match (value, ty) {
             (_, syn::Type::Reference(ty)) => self.typed(value, &ty.elem)?,
@@ -146,7 +146,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    /// The format that a type is of.
+    /// Returns the format of a type.
     pub(crate) fn format(&self, ty: &syn::Type) -> Option<Format> {
         match self.known_as(&text(ty)).as_str() {
             "f32" => Some(Format::Single),
@@ -155,19 +155,19 @@ impl<'s> Reader<'s> {
         }
     }
 
-    /// A type or a constant that is known here by another name.
+    /// Replaces a type or a constant by its known value.
     pub(crate) fn known_as(&self, name: &str) -> String {
         self.known.iter().find(|(from, _)| *from == name).map_or_else(|| name.to_owned(), |(_, to)| (*to).to_owned())
     }
 
-    /// The same, where it may stand for something else in the code of this type.
+    /// Replaces a type or a constant by its known value in the code of this type.
     pub(crate) fn known_in(&self, owner: &str, name: &str) -> String {
         let own = format!("{owner}::{name}");
         let found = self.known.iter().find(|(from, _)| *from == own);
         found.map_or_else(|| self.known_as(name), |(_, to)| (*to).to_owned())
     }
 
-    /// Names the numbers of a value that have none yet.
+    /// Names the unnamed numbers of a value.
     pub(crate) fn name(&mut self, name: &str, value: &Value, is_written: bool) -> Result<Value> {
         value.leaves(name, &mut |name, leaf| {
             Ok(match leaf {

@@ -11,7 +11,7 @@ use crate::source::text;
 use crate::value::{Closure, Expr, Value};
 
 impl Reader<'_> {
-    /// Runs statements; the value of the last one. In a function's own block a branch may return early.
+    /// Runs statements. Returns the value of the last one. In the block of a function, a branch may return early.
     pub(crate) fn statements(&mut self, frame: &mut Frame, statements: &[Stmt], is_function: bool) -> Result<Value> {
         let mut last = Value::Unit;
         for (at, statement) in statements.iter().enumerate() {
@@ -23,9 +23,9 @@ impl Reader<'_> {
                     let value = self.eval(frame, &init.expr)?;
                     self.bind(frame, &local.pat, &value, true)?;
                 }
-                // It is checked when the code is compiled.
+                // The compiler checks it.
                 Stmt::Expr(Rust::Const(_), Some(_)) => {}
-                // Attributes may take it away.
+                // Attributes may remove it.
                 Stmt::Expr(expr, _) if text(expr).starts_with('#') => {
                     return Err(format!("not understood: {}", text(expr)));
                 }
@@ -60,7 +60,7 @@ impl Reader<'_> {
         Ok(last)
     }
 
-    /// After a branch, what the variables are.
+    /// Merges the variables after a branch.
     fn merge(&mut self, frame: &mut Frame, condition: &Expr, yes: &Frame, no: &Frame) -> Result<()> {
         for (at, (name, value)) in frame.seen.iter_mut().enumerate() {
             let (yes, no) = (&yes.seen[at].1, &no.seen[at].1);
@@ -93,14 +93,14 @@ impl Reader<'_> {
         }
     }
 
-    /// Runs what must not ask for anything by `?`, as it is not always reached.
+    /// Runs code that is conditional, so it must not use `?`.
     pub(crate) fn always<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T>) -> Result<T> {
         let before = self.asked.len();
         let value = run(self)?;
         if self.asked.len() == before { Ok(value) } else { Err("a question that is not always asked".into()) }
     }
 
-    /// The value of an expression.
+    /// Evaluates an expression.
     pub(crate) fn eval(&mut self, frame: &mut Frame, expr: &Rust) -> Result<Value> {
         match expr {
             Rust::Paren(inner) => self.eval(frame, &inner.expr),
@@ -197,7 +197,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A struct has the fields of its declaration, in that order, and numbers of their formats.
+    /// Builds a struct with the fields of its declaration, in that order, and with numbers of their formats.
     pub(crate) fn structure(&self, name: &str, mut fields: Vec<(String, Value)>) -> Result<Value> {
         let declared = &self.source.structure(name)?.fields;
         if declared.len() != fields.len() {
@@ -214,7 +214,7 @@ impl Reader<'_> {
 
     fn binary(&mut self, frame: &mut Frame, binary: &syn::ExprBinary) -> Result<Value> {
         let left = self.eval(frame, &binary.left)?;
-        // Not all operators reach it.
+        // The second operand may be skipped.
         let right = self.always(|reader| reader.eval(frame, &binary.right))?;
         let Value::Struct(owner, _) = &left else {
             return operators::binary(&binary.op, &left, &right).map_err(|error| format!("{}: {error}", text(binary)));
@@ -249,7 +249,7 @@ impl Reader<'_> {
         }
     }
 
-    /// One of several rows.
+    /// Selects one of several rows.
     fn slice(&mut self, frame: &mut Frame, of: Value, range: &syn::ExprRange) -> Result<Value> {
         let ends = (&range.start, &range.end, &range.limits);
         match (of, ends) {
@@ -286,7 +286,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Changes a variable, or a part of one.
+    /// Assigns to a variable, or to a part of one.
     pub(crate) fn assign(&mut self, frame: &mut Frame, to: &Rust, value: Value) -> Result<()> {
         match to {
             Rust::Paren(inner) => self.assign(frame, &inner.expr, value),
@@ -324,7 +324,7 @@ impl Reader<'_> {
         let (mut yes, mut no) = (frame.clone(), frame.clone());
         let is_of_machine = matches!(&*branch.cond, Rust::Macro(call) if text(&call.mac.path) == "cfg");
         let condition = if is_of_machine { Expr::True } else { self.condition(frame, &branch.cond)? };
-        // What is not reached need not be understood.
+        // Unreachable code need not be supported.
         let [value, other] = [
             if condition == Expr::False { Value::Unit } else { self.block(&mut yes, &branch.then_branch)? },
             match otherwise {
@@ -371,7 +371,7 @@ fn unary_of(op: UnOp, value: Value) -> Result<Value> {
     }
 }
 
-/// Whether a block ends with a return.
+/// Returns whether a block ends with a return.
 fn is_returned(block: &Block) -> bool {
     matches!(block.stmts.last(), Some(Stmt::Expr(Rust::Return(_), _)))
 }

@@ -8,7 +8,7 @@ use crate::reader::{Reader, Result};
 use crate::source::{Place, last_name, module_of, text};
 use crate::value::{Expr, Format, Value};
 
-/// The expressions of a value.
+/// Returns the expressions of a value.
 pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
     let mut found = Vec::new();
     let each = value.leaves("", &mut |_, leaf| {
@@ -25,7 +25,7 @@ pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
     found
 }
 
-/// What Rocq has for a number that may be missing; others are what they are.
+/// Converts an optional number to its form in Rocq. Other values do not change.
 pub(crate) fn maybe(value: Value) -> Value {
     match value {
         Value::Option(is_there, x) => match *x {
@@ -46,7 +46,7 @@ pub(crate) fn name_of_constant(place: &Place, name: &str) -> String {
     format!("{of}_{name}")
 }
 
-/// A name that Rocq does not keep for itself.
+/// Returns a name that Rocq does not reserve.
 pub(crate) fn free(name: &str) -> String {
     let kept = matches!(
         name,
@@ -69,7 +69,7 @@ pub(crate) fn free(name: &str) -> String {
     if kept { format!("{name}_") } else { name.to_owned() }
 }
 
-/// One that is not taken either.
+/// Returns an unreserved name that is not in use.
 pub(crate) fn fresh(taken: &mut BTreeSet<String>, name: &str) -> String {
     let name = free(name);
     let mut fresh = name.clone();
@@ -107,7 +107,7 @@ pub(crate) fn member(value: &Value, name: &str) -> Result<Value> {
     }
 }
 
-/// An element of a list, or a component of a vector.
+/// Returns an element of a list, or a component of a vector.
 pub(crate) fn element<'v>(value: &'v Value, at: &Value) -> Result<&'v Value> {
     let Value::Int(at) = at else { return Err(format!("an index that is {}", at.kind())) };
     let at = usize::try_from(*at).map_err(|error| error.to_string())?;
@@ -121,7 +121,7 @@ pub(crate) fn element<'v>(value: &'v Value, at: &Value) -> Result<&'v Value> {
     part.ok_or_else(|| format!("element {at} of {}", value.kind()))
 }
 
-/// The value that a parameter has: its shape, with names for its numbers.
+/// Returns the value of a parameter: its shape, with names for its numbers.
 pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &str) -> Result<Value> {
     if let Some(format) = reader.format(ty) {
         return Ok(Value::Real(Some(format), Expr::Name(name.into())));
@@ -149,7 +149,7 @@ pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &s
                 "i32" | "u32" | "unknown" => return Ok(Value::Unknown(name.into())),
                 "simd" => return Ok(Value::Unit),
                 "f32" => return Ok(Value::Real(Some(Format::Single), Expr::Name(name.into()))),
-                // Where a row of four begins: that of the upper planes, or that of the lower ones.
+                // The begin of a row of four: that of the upper planes, or that of the lower ones.
                 "side" => {
                     let either = [Expr::Name(name.into()), Expr::Number(4), Expr::Number(0)];
                     return Ok(Value::Count(Expr::If(Box::new(either))));

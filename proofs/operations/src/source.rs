@@ -1,11 +1,11 @@
-//! The files that are read, and what is found in them by name.
+//! The source files, with lookup by name.
 
 use std::path::Path;
 
 use quote::ToTokens;
 use syn::{FnArg, ImplItem, Item, TraitItem, UseTree};
 
-/// The library's files, from the root of the repository on.
+/// The library's files, relative to the root of the repository.
 const FILES: &[&str] = &[
     "src/geom/aabb.rs",
     "src/geom/fine.rs",
@@ -35,17 +35,17 @@ const FILES: &[&str] = &[
     "src/geom/vector.rs",
 ];
 
-/// All that is read.
+/// The content of all files.
 pub(crate) struct Source {
     pub(crate) functions: Vec<Function>,
     pub(crate) constants: Vec<Constant>,
     pub(crate) structs: Vec<Struct>,
     pub(crate) aliases: Vec<(String, syn::Type)>,
-    /// Names that a file imports, with the module that they are imported from.
+    /// Imported names of a file, with the module that they come from.
     imports: Vec<(String, String, String)>,
 }
 
-/// Where an item stands, and what it belongs to.
+/// The place of an item, and its owner.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Place {
     pub(crate) file: String,
@@ -78,7 +78,7 @@ pub(crate) struct Struct {
 }
 
 impl Source {
-    /// Reads the library's files, and glam's meaning.
+    /// Reads the library's files, and the meaning of glam.
     pub(crate) fn read(root: &Path) -> Result<Self, String> {
         let mut source = Self {
             functions: Vec::new(),
@@ -104,7 +104,7 @@ impl Source {
     fn add_item(&mut self, file: &str, item: &Item) {
         let place = |owner: &str| Place { file: file.into(), owner: owner.into() };
         match item {
-            // What is not there on all machines is as if it were not there.
+            // Code for particular machines is ignored.
             Item::Fn(syn::ItemFn { attrs, .. })
             | Item::Const(syn::ItemConst { attrs, .. })
             | Item::Struct(syn::ItemStruct { attrs, .. })
@@ -173,7 +173,7 @@ impl Source {
         }
     }
 
-    /// A function of a type by its name; where several types of operand are possible, by that.
+    /// Finds a function of a type by its name, and by the operand's type if there are several.
     pub(crate) fn method(&self, owner: &str, name: &str, operand: &str) -> Result<&Function, String> {
         let found = self.functions.iter().filter(|f| f.place.owner == owner && f.name == name);
         let found: Vec<_> = found.collect();
@@ -184,20 +184,20 @@ impl Source {
         }
     }
 
-    /// A function of a module, as the code of a file names it.
+    /// Finds a function of a module by its name in a file.
     pub(crate) fn function(&self, file: &str, name: &str) -> Result<&Function, String> {
         let found = self.functions.iter().filter(|f| f.place.owner.is_empty() && f.name == name);
         self.visible(file, name, found, |f| &f.place.file)
     }
 
-    /// A constant, as the code of a file names it.
+    /// Finds a constant by its name in a file.
     pub(crate) fn constant(&self, file: &str, owner: &str, name: &str) -> Result<&Constant, String> {
         let found = self.constants.iter().filter(|c| c.place.owner == owner && c.name == name);
         self.visible(file, name, found, |c| &c.place.file)
     }
 
-    /// The one in the same file; else the one in the module that the name is imported from, or the only one in a module
-    /// below that; else the only one.
+    /// Selects the item in the same file. Otherwise selects the one in the module that the name is imported from, or
+    /// the only one in a submodule, or the only one at all.
     fn visible<'s, T>(
         &self,
         file: &str,
@@ -237,13 +237,13 @@ fn is_conditional(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|attribute| attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr"))
 }
 
-/// The path of a file's module: `geom/slabs` for `src/geom/slabs/mod.rs`.
+/// Returns the path of a file's module: `geom/slabs` for `src/geom/slabs/mod.rs`.
 pub(crate) fn module_of(file: &str) -> String {
     let path = file.trim_start_matches("src/").trim_end_matches(".rs");
     path.trim_end_matches("/mod").to_owned()
 }
 
-/// A step of a path in `use`.
+/// Resolves a step of a path in `use`.
 fn inside(file: &str, module: &str, step: &str) -> String {
     let up = |path: &str| path.rsplit_once('/').map(|(above, _)| above.to_owned()).unwrap_or_default();
     match (step, module) {
@@ -255,7 +255,7 @@ fn inside(file: &str, module: &str, step: &str) -> String {
     }
 }
 
-/// The name of a type without its path and its parameters.
+/// Returns the name of a type without its path and its parameters.
 pub(crate) fn last_name(ty: &syn::Type) -> String {
     match ty {
         syn::Type::Path(path) => path.path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default(),
@@ -272,7 +272,7 @@ fn operand_of(path: &syn::Path) -> String {
     }
 }
 
-/// Tokens without spaces.
+/// Returns tokens without spaces.
 pub(crate) fn text(tokens: &impl ToTokens) -> String {
     tokens.to_token_stream().to_string().split_whitespace().collect()
 }

@@ -2,18 +2,18 @@
 
 /// A function.
 pub(crate) struct Target {
-    /// Its type, or its trait's, if it has one; and its name.
+    /// Its type or trait, if any, and its name.
     pub(crate) owner: &'static str,
     pub(crate) name: &'static str,
-    /// The file that it stands in.
+    /// Its file.
     pub(crate) file: &'static str,
-    /// What generic parameters stand for.
+    /// The values of generic parameters.
     pub(crate) known: &'static [(&'static str, &'static str)],
-    /// What is printed of a result that has several parts; all, if this is empty.
+    /// The printed parts of a result with several parts, or empty for all parts.
     pub(crate) parts: &'static [&'static str],
 }
 
-/// One of four lanes. Rows of lanes are numbers then, and so are vectors.
+/// One of four lanes. Rows of lanes and vectors then become numbers.
 const LANE: &[(&str, &str)] = &[
     ("S", "simd"),
     ("V", "Vec3"),
@@ -54,7 +54,7 @@ const FINE: &str = "src/geom/fine.rs";
 const FINE_STAGE: &str = "src/geom/kernel/exact/fine.rs";
 const NEAREST: &str = "src/geom/nearest.rs";
 
-/// In the order in which they are printed.
+/// The functions, in the order of printing.
 pub(crate) const TARGETS: &[Target] = &[
     Target { owner: "Determinants", name: "of", file: FILTER, known: &[], parts: &[] },
     Target { owner: "Errors", name: "new", file: FILTER, known: &[], parts: &[] },

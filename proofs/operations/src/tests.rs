@@ -1,8 +1,8 @@
-//! The meanings that the reader gives to operations of others, on numbers.
+//! The reader's meanings of external operations, tested on numbers.
 
 use crate::glam as meaning;
 
-/// Numbers of all kinds, by which vectors are drawn.
+/// Numbers of all kinds, the components of random vectors.
 const KINDS: [f64; 12] =
     [0.0, -0.0, 1.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 5e-324, -1e-310, 1e-40, 3.4e38, -1.7e308];
 
@@ -17,7 +17,7 @@ impl Random {
         mixed ^ mixed >> 31
     }
 
-    /// Any bits, a special number, or one of usual size.
+    /// Draws random bits, a special number, or one of ordinary magnitude.
     fn double(&mut self) -> f64 {
         match self.bits() % 3 {
             0 => f64::from_bits(self.bits()),
@@ -37,7 +37,7 @@ impl Random {
 
 const TURNS: u32 = 100_000;
 
-/// The same number in every bit; NaN is one number, as it is in Rocq.
+/// Compares numbers in every bit. All NaNs are equal, as in Rocq.
 fn same<const N: usize>(ours: [f64; N], theirs: [f64; N], what: &str) {
     for (x, y) in ours.into_iter().zip(theirs) {
         assert!(x.to_bits() == y.to_bits() || x.is_nan() && y.is_nan(), "{what}: {ours:?} is not {theirs:?}");
@@ -109,7 +109,7 @@ fn vec3() {
     }
 }
 
-/// Also `min` and `max`, which are instructions of SSE: the kernels call them only there.
+/// Also `min` and `max`, which are SSE instructions: the kernels call them only there.
 #[test]
 fn vec4() {
     use glam::Vec4Swizzles as _;
@@ -153,7 +153,7 @@ fn vec4() {
     same(meaning::Vec4::INFINITY, glam::Vec4::INFINITY);
 }
 
-/// Rust leaves the sign of a zero open, and drops a NaN: the reader's meaning is for other numbers.
+/// Rust leaves the sign of a zero open, and drops NaN. The reader's meaning is for other numbers.
 #[test]
 fn greater_and_lesser() {
     let mut random = Random(4);
@@ -167,9 +167,8 @@ fn greater_and_lesser() {
     }
 }
 
-/// Bits that are moved are the next numbers in magnitude, up to infinity and down to 0; a sign that is changed by
-/// exclusive or is that of the other number; bits of an exponent are a power of two; the lowest bits are those of the
-/// significand.
+/// Adding to the bits gives the next numbers in magnitude, up to infinity and down to 0. Exclusive or changes the sign
+/// by that of the other number. Bits of an exponent are a power of two. The lowest bits are those of the significand.
 #[test]
 #[expect(clippy::cast_precision_loss, reason = "a significand has 53 bits")]
 fn bits_of_numbers() {

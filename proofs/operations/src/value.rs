@@ -1,4 +1,4 @@
-//! Values of which not all is known: expressions of numbers, in the shapes that Rust has.
+//! Partially known values: expressions of numbers, in the shapes of Rust values.
 
 use std::rc::Rc;
 
@@ -11,92 +11,92 @@ pub(crate) enum Format {
     Double,
 }
 
-/// An expression of a number or a truth value.
+/// An expression for a number or a truth value.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Expr {
-    /// A parameter, or what a `let` has named.
+    /// A parameter, or a name from a `let`.
     Name(String),
     /// An integer times a power of two.
     Constant(i128, i32),
-    /// A literal whose format is not known yet.
+    /// A literal of unknown format.
     Literal(String),
     /// A count.
     Number(i128),
     True,
     False,
-    /// An operation of the arithmetic of a format, which may not be known yet.
+    /// An operation in the arithmetic of a format, which may still be unknown.
     Op(&'static str, Option<Format>, Vec<Self>),
-    /// A function that is defined before, or of which nothing is known; operands with their formats.
+    /// A function that is defined earlier, or unknown; operands with their formats.
     Call(String, Vec<(Option<Format>, Self)>),
     If(Box<[Self; 3]>),
 }
 
-/// What has a name, or several: the parts of what a function gives.
+/// A value with one or more names: the parts of a function's result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Let {
     pub(crate) names: Vec<String>,
     pub(crate) value: Expr,
-    /// None of a truth value, or several parts.
+    /// `None` for a truth value, or several parts.
     pub(crate) format: Option<Format>,
-    /// Whether the source names it. Operands of functions are named where they are used more than once.
+    /// Whether the source names it. Operands of functions are named if they are used more than once.
     pub(crate) is_written: bool,
 }
 
 /// A value.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
-    /// A number; of a literal the format may not be known yet.
+    /// A number. The format of a literal may still be unknown.
     Real(Option<Format>, Expr),
     Bool(Expr),
     Int(i128),
-    /// An integer that is not known.
+    /// An unknown integer.
     Count(Expr),
-    /// A truth value or a number that may be missing, as Rocq has it.
+    /// An optional truth value or number, in its form in Rocq.
     Maybe(Expr),
-    /// What may be missing: whether it is there, and what it is then.
+    /// An optional value: whether it exists, and its value.
     Option(Expr, Box<Self>),
-    /// Of a set of lanes, whether the lane that is looked at is in it.
+    /// Whether the selected lane is in a set of lanes.
     Lane(Expr),
-    /// Rows of lanes, one after the other, of each the lane that is looked at.
+    /// Rows of lanes, one after the other, with the selected lane of each.
     Rows(Vec<Self>),
     /// The bits of a number.
     Bits(Format, Bits),
-    /// An integer of some bits, from the lowest on.
+    /// An integer of some bits, the lowest bit first.
     Mask(Vec<Expr>),
     /// A tuple or an array.
     List(Vec<Self>),
-    /// Elements that are there under a condition.
+    /// Elements that exist under a condition.
     Filtered(Vec<(Expr, Self)>),
     Struct(String, Vec<(String, Self)>),
     Range(Box<[Self; 2]>),
     Closure(Rc<Closure>),
-    /// A function by its type's name and its own.
+    /// A function, by its type's name and its own name.
     Function(String, String),
     Unit,
-    /// Something that was not understood, which is no fault where it is not used.
+    /// An unsupported value, which is an error only if it is used.
     Unknown(String),
 }
 
 /// Bits of a number `x`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Bits {
-    /// All, as an integer, plus a number.
+    /// All bits, as an integer, plus a number.
     Plus(Expr, i128),
-    /// That of the sign, at its place.
+    /// The sign bit, at its place.
     Sign(Expr),
-    /// All of the first, with that of the second's sign changed by exclusive or.
+    /// All bits of the first, with the sign bit combined with the second's by exclusive or.
     Xor(Expr, Expr),
-    /// Those of the exponent.
+    /// The bits of the exponent.
     Exponent(Expr),
-    /// All but that of the sign, as an integer, plus a number.
+    /// All bits except the sign, as an integer, plus a number.
     Magnitude(Expr, i128),
-    /// The same, and not beyond those of infinity.
+    /// All bits except the sign, as an integer, plus a number, and at most those of infinity.
     Capped(Expr, i128),
-    /// All but that of the sign and so many of the lowest.
+    /// All bits except the sign and a number of the lowest bits.
     Cleared(Expr, i128),
 }
 
-/// A closure, with what it sees.
+/// A closure, with its visible variables.
 #[derive(Clone, Debug)]
 pub(crate) struct Closure {
     pub(crate) inputs: Vec<syn::Pat>,
@@ -145,7 +145,7 @@ impl Expr {
         }
     }
 
-    /// One of two, by a condition.
+    /// Selects one of two by a condition.
     pub(crate) fn choose(&self, yes: &Self, no: &Self) -> Self {
         match self {
             Self::True => yes.clone(),
@@ -155,7 +155,7 @@ impl Expr {
         }
     }
 
-    /// With the format for all of which it is not known.
+    /// Sets all unknown formats.
     pub(crate) fn settle(&self, format: Format) -> Result<Self, String> {
         Ok(match self {
             Self::Literal(digits) => {
@@ -173,13 +173,13 @@ impl Expr {
                 let [condition, yes, no] = &**of;
                 Self::If(Box::new([condition.clone(), yes.settle(format)?, no.settle(format)?]))
             }
-            // A number whose format is known has that in its parts, too.
+            // The parts of a number with a known format have that format.
             other => other.clone(),
         })
     }
 }
 
-/// A finite double as an integer times a power of two.
+/// Converts a finite double to an integer times a power of two.
 pub(crate) fn constant(number: f64) -> Result<Expr, String> {
     if !number.is_finite() || number.is_sign_negative() {
         return Err(format!("a literal that is no positive number: {number}"));
@@ -196,13 +196,13 @@ pub(crate) fn constant(number: f64) -> Result<Expr, String> {
     Ok(Expr::Constant(whole, power))
 }
 
-/// Operations that are of no format.
+/// Returns whether an operation has no format.
 fn is_logic(name: &str) -> bool {
     matches!(name, "andb" | "orb" | "negb" | "xorb" | "widen" | "narrow" | "S" | "element")
 }
 
 impl Value {
-    /// The kind, for messages.
+    /// Returns the kind, for messages.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::Real(..) => "a number",
@@ -224,7 +224,7 @@ impl Value {
         }
     }
 
-    /// The name of its type, as operators and methods are found by it.
+    /// Returns the name of its type, for finding operators and methods.
     pub(crate) fn type_name(&self) -> String {
         match self {
             Self::Real(Some(Format::Single), _) => "f32".into(),
@@ -234,7 +234,7 @@ impl Value {
         }
     }
 
-    /// The same kind of value with another expression.
+    /// Replaces the expression of a value.
     pub(crate) fn with(&self, x: &Expr) -> Result<Self, String> {
         Ok(match self {
             Self::Real(format, _) => Self::Real(*format, x.clone()),
@@ -245,7 +245,7 @@ impl Value {
         })
     }
 
-    /// Its expressions in order, each of which `to` may replace.
+    /// Visits its expressions in order. `to` may replace each.
     pub(crate) fn leaves(
         &self,
         name: &str,
@@ -268,7 +268,7 @@ impl Value {
         })
     }
 
-    /// One of two values of one shape, by a condition.
+    /// Selects one of two values of equal shape by a condition.
     pub(crate) fn choose(condition: &Expr, yes: &Self, no: &Self) -> Result<Self, String> {
         match (condition, yes, no) {
             (Expr::True, ..) => return Ok(yes.clone()),
@@ -311,7 +311,7 @@ impl Value {
         })
     }
 
-    /// The count that it is.
+    /// Returns the count.
     pub(crate) fn count(&self) -> Result<Expr, String> {
         match self {
             Self::Int(x) if *x >= 0 => Ok(Expr::Number(*x)),
@@ -320,12 +320,12 @@ impl Value {
         }
     }
 
-    /// Whether it is certainly missing.
+    /// Returns whether it is certainly missing.
     fn is_none(&self) -> bool {
         matches!(self, Self::Maybe(Expr::Call(name, _)) if name == "None")
     }
 
-    /// Whether both are certainly the same.
+    /// Returns whether both values are certainly equal.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Real(a, x), Self::Real(b, y)) => a == b && x == y,
@@ -350,7 +350,7 @@ impl Value {
     }
 }
 
-/// The format of two numbers that are calculated with.
+/// Returns the common format of two operands.
 pub(crate) fn same_format(a: Option<Format>, b: Option<Format>) -> Result<Option<Format>, String> {
     match (a, b) {
         (Some(a), Some(b)) if a != b => Err("numbers of two formats".into()),

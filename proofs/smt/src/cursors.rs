@@ -1,7 +1,7 @@
 //! Lemmas about the steps of the counting traversals, from the text of their files.
 //!
-//! `start` is two to the power of the node's depth, `trail` what a traversal with a trail would have there, and the
-//! counter its complement below the depth, by the library's own function.
+//! `start` is two to the power of the node's depth. `trail` is the trail that another traversal would have at the node.
+//! The counter is its complement below the depth, computed by the library's own function.
 
 use stackless_bvh::key::{self, Word};
 use stackless_bvh::{swap, trail};
@@ -16,10 +16,10 @@ use crate::source::{Source, where_some};
 use crate::trails::{climbed, trail_and_start};
 use crate::word::Symbolic;
 
-/// The count of zeros by which the steps shift. Where a claim has shown it to be a number, that stands in its place.
+/// The count of zeros by which the steps shift. After a claim about its value, the value replaces it.
 const ZEROS: &str = "index.trailing_zeros()";
 
-/// All of them, for words of `N` bits.
+/// Returns all lemmas for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Result<Vec<Lemma>, String> {
     let slip = |says, from, to| Slip { says, from, to };
     let combined = slip("no shift", "self.index = take(&mut self.index).shl1()", "self.index = take(&mut self.index)");
@@ -54,12 +54,12 @@ fn machine<const N: u32>(
     Machine::new(source, Type::unsigned(N), values)
 }
 
-/// The value of a word after a run.
+/// Returns the value of a word after a run.
 fn word<const N: u32>(machine: &Machine<'_, Bits>, name: &str) -> Result<Symbolic<N>, String> {
     machine.value(name).map(|value| Symbolic(value.bits))
 }
 
-/// Whether the run has returned early, where it can do so once.
+/// Returns whether the run has returned early, where it can do that once.
 fn ended(machine: &Machine<'_, Bits>) -> Result<Bool, String> {
     match machine.returned.as_slice() {
         [condition] => condition.is_true(),
@@ -107,7 +107,7 @@ fn combined_descends<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     Ok(())
 }
 
-/// Key of the node for an index and a swap mask, and whether the mask is below the level's start.
+/// Returns the key of the node for an index and a swap mask, and whether the mask is below the level's start.
 fn key_of<const N: u32>(start: &Symbolic<N>, counter: &Symbolic<N>, mask: &Symbolic<N>) -> (Symbolic<N>, Bool) {
     (start.clone().or(&swap::fcomp(counter.clone(), mask)), mask.less(start))
 }
@@ -125,7 +125,7 @@ fn combined_ends<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Str
     let values = [("self.level_start", start), ("self.level_index", counter), mask.clone()];
     let apart = run::<N>(source, "ImplicitA::backtrack", values)?;
     q.claim("two words end where the trail is 0, to depth W - 1", ended(&apart)?.iff(&last));
-    // At depth W - 1 there is nothing to claim of one word: it is given another one.
+    // At depth W - 1 nothing is claimed of one word, so the word is replaced by another one.
     let sum = Symbolic(deepest.ite(&Symbolic::<N>::one().0, &sum.0));
     let combined = run::<N>(source, "ImplicitA1::backtrack", [("self.index", sum), mask])?;
     q.claim("one word ends there, to depth W - 2", Bool::or(&[deepest, ended(&combined)?.iff(&last)]));
@@ -169,7 +169,7 @@ fn combined_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(
     Ok(())
 }
 
-/// The body of Algorithm 3 on a key and its counter, which is backtracking, also as printed.
+/// Claims that the body of Algorithm 3, applied to a key and its counter, is backtracking, also as printed.
 fn up_and_over<const N: u32>(source: &Source, q: &mut Query) -> Result<(), String> {
     let (trail, start) = trail_and_start::<N>(q);
     let path = q.word::<N>("path");
@@ -184,7 +184,7 @@ fn up_and_over<const N: u32>(source: &Source, q: &mut Query) -> Result<(), Strin
     let even = ancestor.clone().and(&Word::one()).shl1();
     let printed = ancestor.wrapping_add(&Word::one()).wrapping_sub(&even);
     q.claim("it is x + 1 - 2 (x & 1), as printed", to.is(&printed));
-    // Where the trail is 0, of any other one.
+    // A trail of 0 is replaced by another one.
     let some = Symbolic(last.ite(&Symbolic::<N>::one().0, &trail.0));
     let (back, _) = trail::backtrack(key, some);
     q.claim("it is backtracking", Bool::or(&[last, to.is(&back)]));
@@ -245,7 +245,7 @@ fn sparse_backtracks<const N: u32>(source: &Source, q: &mut Query) -> Result<(),
     Ok(())
 }
 
-/// The library's pruned trail.
+/// Returns the library's pruned trail.
 fn pruned<const N: u32>(source: &Source, trail: &Symbolic<N>, marks: &Symbolic<N>) -> Result<Symbolic<N>, String> {
     let values = [("trail", trail.clone()), ("disjoint", marks.clone())];
     let expr = where_some(&source.function("::prune")?.body, "disjoint")?;

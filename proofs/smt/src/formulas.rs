@@ -1,4 +1,4 @@
-//! The library's bit functions, as a table in which a control replaces one.
+//! The library's bit functions, as a table. A control replaces one of them.
 
 use stackless_bvh::key::{self, Word};
 use stackless_bvh::{swap, trail};
@@ -23,7 +23,7 @@ pub(crate) struct Formulas<const N: u32> {
 }
 
 impl<const N: u32> Formulas<N> {
-    /// Those of the library.
+    /// Returns the library's functions.
     pub(crate) fn library() -> Self {
         Self {
             root: key::root,
@@ -42,7 +42,7 @@ impl<const N: u32> Formulas<N> {
     }
 }
 
-/// A lemma about these functions: `says` of the library's, and of a table that `plant` has changed.
+/// Builds a lemma: `says` of the library's functions, and of a table that `plant` has changed.
 pub(crate) fn lemma<const N: u32>(
     name: &'static str,
     clauses: &'static str,
@@ -60,7 +60,7 @@ pub(crate) fn lemma<const N: u32>(
     Lemma { name, clauses, width: N, slip, library: query(|_| ()), control: query(plant), others }
 }
 
-/// Slips for the claims that a lemma's own one does not break.
+/// Slips for claims that a lemma's own slip does not break.
 fn slips<const N: u32>() -> [fn(&mut Formulas<N>); 17] {
     fn up<const N: u32>(trail: Symbolic<N>, more: u64) -> Symbolic<N> {
         let levels = trail.trailing_zeros().wrapping_add(&Symbolic::number(more));
@@ -87,7 +87,7 @@ fn slips<const N: u32>() -> [fn(&mut Formulas<N>); 17] {
     ]
 }
 
-/// The addition without carries that an exclusive or is often mistaken for.
+/// Adds without carries, which is often mistaken for exclusive or.
 pub(crate) fn plus<const N: u32>(a: Symbolic<N>, b: &Symbolic<N>) -> Symbolic<N> {
     a.wrapping_add(b)
 }

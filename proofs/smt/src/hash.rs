@@ -9,7 +9,7 @@ use crate::machine::{Machine, Number, Type};
 use crate::numbers::Bits;
 use crate::source::{Source, text, where_some};
 
-/// All of them.
+/// Returns all lemmas.
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
     let bucket = Slip {
         says: "k & D",
@@ -38,15 +38,15 @@ pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
     ])
 }
 
-/// A slip in the library's files: a text that stands there once, and what it is replaced by.
+/// A slip in the library's files: a text that occurs once, and its replacement.
 pub(crate) struct Slip {
-    /// It, in a few words.
+    /// A short description.
     pub(crate) says: &'static str,
     pub(crate) from: &'static str,
     pub(crate) to: &'static str,
 }
 
-/// A lemma about functions of the library's files, and about them with a slip.
+/// Builds a lemma about functions of the library's files, with and without a slip.
 pub(crate) fn lemma(
     name: &'static str,
     clauses: &'static str,
@@ -59,13 +59,13 @@ pub(crate) fn lemma(
         says(&source, &mut query).map(|()| query).map_err(|error| format!("{name}: {error}"))
     };
     let (library, control) = (query(Source::library()?)?, query(Source::with(slip.from, slip.to)?)?);
-    // Those that the interpreter does not get through break nothing.
+    // Slips that the interpreter rejects break nothing.
     let slips = move |&(from, to): &(&str, &str)| query(Source::with(from, to).ok()?).ok();
     let others = Box::new(move || SLIPS.iter().filter_map(slips).collect());
     Ok(Lemma { name, clauses, width, slip: slip.says, library, control, others })
 }
 
-/// Slips for the claims that a lemma's own one does not break.
+/// Slips for claims that a lemma's own slip does not break.
 pub(crate) const SLIPS: &[(&str, &str)] = &[
     ("take(&mut self.index).shl1().or(&rejected_one)", "take(&mut self.index).shl1()"),
     ("self.tree.child(self.node, descent.first())", "self.tree.parent(self.node)"),
@@ -104,7 +104,7 @@ fn number(value: u64, width: u32) -> BV {
     BV::from_u64(value, width)
 }
 
-/// What the arrays are indexed with in a body, in order.
+/// Returns the array indices in a body, in order.
 fn indices(body: &Block) -> Vec<Expr> {
     struct Indices(Vec<Expr>);
     impl<'ast> Visit<'ast> for Indices {
@@ -118,7 +118,7 @@ fn indices(body: &Block) -> Vec<Expr> {
     all.0
 }
 
-/// Both indices of a lookup: of the displacement, and of the cell.
+/// Returns both indices of a lookup: that of the displacement and that of the cell.
 fn lookup(source: &Source) -> Result<[Expr; 2], String> {
     let all = indices(&source.function("PerfectHash::word")?.body);
     all.try_into().map_err(|_| "a lookup has not two indices".into())
@@ -158,7 +158,7 @@ fn addresses(source: &Source, q: &mut Query) -> Result<(), String> {
     let (index, leaf, other) = (q.bits("index", 32), q.bits("leaf", 1), q.bits("displacement", 32));
     q.assume(index.bvult(number(1 << 30, 32)));
     q.assume(other.bvult(number(1 << 31, 32)));
-    // `Node` is 31 bits of index under the bit of leaves; `usize` has 64 bits.
+    // `Node` has 31 bits of index below the bit of leaves; `usize` has 64 bits.
     let node = [("node.index()", Bits::new(index.zero_ext(32))), ("node.is_leaf()", Bits::new(leaf.clone()))];
     let machine = Machine::new(source, Type::unsigned(32), []);
     let encode = source.function("encode")?.body;
@@ -176,7 +176,7 @@ fn addresses(source: &Source, q: &mut Query) -> Result<(), String> {
     Ok(())
 }
 
-/// What undoes a step of a mix.
+/// The inverse of a step of a mix.
 #[derive(Clone, Copy)]
 enum Undo {
     /// `x ^ x >> s`.
@@ -193,7 +193,7 @@ impl Undo {
                 let shifts = (1..).map(|i| i * by).take_while(|&shift| shift < width);
                 shifts.fold(x.clone(), |all, shift| all.bvxor(x.bvlshr(number(shift.into(), width))))
             }
-            // Newton's iteration: each round doubles the number of right low bits, from 3.
+            // Newton's iteration: each round doubles the number of correct low bits, from 3.
             Self::Times(odd) => {
                 let step = |inverse: u64, _| inverse.wrapping_mul(2_u64.wrapping_sub(odd.wrapping_mul(inverse)));
                 let inverse = (0..5).fold(odd, step);
@@ -215,7 +215,7 @@ fn mix_u32(source: &Source, q: &mut Query) -> Result<(), String> {
     bijection(source, q, "mix_u32", 32, [Undo::Shift(16), factors[0], Undo::Shift(15), factors[1], Undo::Shift(16)])
 }
 
-/// What is mixed under a seed differs for different keys: the seed's part is its own inverse.
+/// Claims that mixing under a seed gives different results for different keys: the seed's part is its own inverse.
 fn seeded(source: &Source, q: &mut Query, name: &str, mix: &str, width: u32) -> Result<(), String> {
     let (key, seed) = (q.bits("key", width), q.bits("seed", 64));
     let Expr::Call(call) = where_some(&source.function(name)?.body, "seed")? else { return Err("no call".into()) };
@@ -231,7 +231,7 @@ fn seeded(source: &Source, q: &mut Query, name: &str, mix: &str, width: u32) -> 
     Ok(())
 }
 
-/// Each statement of the function is undone, from both sides; so is their composition.
+/// Claims that each statement of the function has an inverse on both sides, and that their composition has.
 fn bijection(source: &Source, q: &mut Query, name: &str, width: u32, undo: [Undo; 5]) -> Result<(), String> {
     let x = q.bits("x", width);
     let steps = source.function(name)?.body.stmts;

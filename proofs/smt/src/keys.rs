@@ -7,7 +7,7 @@ use crate::formulas::{Formulas, lemma};
 use crate::lemma::{Lemma, Query};
 use crate::word::Symbolic;
 
-/// All of them, for words of `N` bits.
+/// Returns all lemmas for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
     vec![
         lemma::<N>("root", "[KEY-1]", root, "0 for 1", |f| f.root = Word::zero),
@@ -55,8 +55,8 @@ fn sibling<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("left and right are siblings", (f.sibling)(left).is(&right));
 }
 
-/// A key of depth W - 2 has a child, which fills the word. A key of depth W - 1 fills it, and a level more drops its
-/// leading one.
+/// A key of depth W - 2 has a child, which fills the word. A key of depth W - 1 fills the word, and one more level
+/// drops its leading one.
 fn depth<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     let (key, right) = (q.word::<N>("key"), q.bit::<N>("right"));
     let (trail, both) = (q.word::<N>("trail"), q.bit::<N>("both"));

@@ -1,4 +1,4 @@
-//! Lemmas, their proof, and the control that shows that each can fail.
+//! Lemmas, their proofs, and the controls that show that each can fail.
 
 use std::fmt;
 use std::time::Instant;
@@ -8,15 +8,15 @@ use z3::{Model, Params, SatResult, Solver, Tactic};
 
 use crate::word::{Symbolic, take_required};
 
-/// What the solver may do for one claim, in steps of its own: a loaded machine does not change what is proved.
+/// The solver's limit for one claim, in its own steps, so machine load does not affect the proofs.
 const LIMIT: u32 = 100_000_000;
 
-/// What is claimed of operations. That they note what they require has a test of its own.
+/// The claim about operations. A separate test checks that they record their requirements.
 const REQUIRED: &str = "no shift or count out of range, no overflow";
 
-/// A lemma: what is claimed of the library's formulas, and of formulas with a slip.
+/// A lemma: a claim about the library's formulas, and about formulas with a slip.
 pub(crate) struct Lemma {
-    /// What it says, in a few words.
+    /// A short description.
     pub(crate) name: &'static str,
     /// Clauses of the specification that it covers.
     pub(crate) clauses: &'static str,
@@ -26,14 +26,14 @@ pub(crate) struct Lemma {
     pub(crate) slip: &'static str,
     /// The lemma about the library's formulas.
     pub(crate) library: Query,
-    /// The very same about formulas with the slip.
+    /// The lemma about the formulas with the slip.
     pub(crate) control: Query,
-    /// And with other slips, when asked for: together they break each of its claims.
+    /// The lemma with other slips, computed on demand. Together they break each of its claims.
     #[cfg_attr(not(test), expect(dead_code, reason = "tests ask for it"))]
     pub(crate) others: Box<dyn Fn() -> Vec<Query>>,
 }
 
-/// Unknowns, what is assumed of them, and what is claimed.
+/// Unknowns, assumptions and claims.
 #[derive(Default)]
 pub(crate) struct Query {
     inputs: Vec<(&'static str, Dynamic)>,
@@ -41,26 +41,26 @@ pub(crate) struct Query {
     claims: Vec<(&'static str, Bool)>,
     /// Claims that are steps of a proof, and not about the library.
     steps: Vec<&'static str>,
-    /// Proved claims serve the later ones.
+    /// Whether proved claims are assumed in later ones.
     chained: bool,
-    /// It is about integers.
+    /// Whether it is about integers.
     integers: bool,
 }
 
 impl Query {
-    /// An unknown word.
+    /// Adds an unknown word.
     pub(crate) fn word<const N: u32>(&mut self, name: &'static str) -> Symbolic<N> {
         Symbolic(self.bits(name, N))
     }
 
-    /// Unknown bits.
+    /// Adds unknown bits.
     pub(crate) fn bits(&mut self, name: &'static str, width: u32) -> BV {
         let bits = BV::new_const(name, width);
         self.inputs.push((name, Dynamic::from_ast(&bits)));
         bits
     }
 
-    /// An unknown integer.
+    /// Adds an unknown integer.
     pub(crate) fn integer(&mut self, name: &'static str) -> Int {
         let integer = Int::new_const(name);
         self.integers = true;
@@ -68,37 +68,37 @@ impl Query {
         integer
     }
 
-    /// An unknown bit: 0 or 1.
+    /// Adds an unknown bit: 0 or 1.
     pub(crate) fn bit<const N: u32>(&mut self, name: &'static str) -> Symbolic<N> {
         let bit = self.word(name);
         self.assume(bit.less(&Symbolic::number(2)));
         bit
     }
 
-    /// Assumes something of the unknowns.
+    /// Adds an assumption.
     pub(crate) fn assume(&mut self, condition: Bool) {
         self.given.push(condition);
     }
 
-    /// Claims something. What the operations so far require is claimed with it.
+    /// Adds a claim, together with the requirements of all operations so far.
     pub(crate) fn claim(&mut self, says: &'static str, claim: Bool) {
         self.claims.push((says, claim));
         let required = take_required().into_iter();
         self.claims.extend(required.map(|required| (REQUIRED, required)));
     }
 
-    /// Claims what serves the claims after it, whatever the library does.
+    /// Adds a claim that later claims use, independent of the library.
     pub(crate) fn step(&mut self, says: &'static str, claim: Bool) {
         self.steps.push(says);
         self.claim(says, claim);
     }
 
-    /// Lets each claim be used in the proof of those after it.
+    /// Makes each claim available in the proofs of later ones.
     pub(crate) fn chain(&mut self) {
         self.chained = true;
     }
 
-    /// Whether all that it claims holds.
+    /// Returns whether all claims hold.
     #[cfg(test)]
     pub(crate) fn is_proved(&self) -> bool {
         matches!(self.prove(), Proof::Proved)
@@ -118,7 +118,7 @@ impl Query {
         if self.claims.is_empty() { Proof::Unknown("nothing", "it claims nothing".into()) } else { Proof::Proved }
     }
 
-    /// Asks for a case in which all of this is given, and the claim does not hold.
+    /// Returns a solver that searches for a counterexample to the claim under these assumptions.
     fn without(&self, given: &[Bool], claim: &Bool) -> Solver {
         let solver = self.solver();
         let mut params = Params::new();
@@ -131,7 +131,7 @@ impl Query {
         solver
     }
 
-    /// Whether this claim can be broken, where it is not the very same as the library's.
+    /// Returns whether this claim can be broken, if it differs from the library's.
     #[cfg(test)]
     fn breaks(&self, says: &str, library: &Self) -> bool {
         let own = self.claims.iter().filter(|(own, _)| *own == says);
@@ -139,7 +139,7 @@ impl Query {
         others.any(|(_, claim)| self.without(&self.given, claim).check() == SatResult::Sat)
     }
 
-    /// Bits are blasted: half the time that the default strategy takes on 128 bits.
+    /// Returns a solver with bit-blasting, which takes half the time of the default strategy for 128 bits.
     fn solver(&self) -> Solver {
         if self.integers {
             return Solver::new();
@@ -149,7 +149,7 @@ impl Query {
         rest.iter().fold(first, |all, next| all.and_then(next)).solver()
     }
 
-    /// The inputs of a counterexample.
+    /// Formats the inputs of a counterexample.
     fn example(&self, model: Option<Model>) -> String {
         let value = |input: &Dynamic| model.as_ref().and_then(|model| model.eval(input, true)).map(|v| v.to_string());
         let inputs = self.inputs.iter().map(|(name, input)| {
@@ -189,7 +189,7 @@ impl fmt::Display for Proof {
 }
 
 impl Lemma {
-    /// The claims that hold whatever slip is made. There must be none.
+    /// Returns the claims that no slip breaks. There must be none.
     #[cfg(test)]
     pub(crate) fn unbroken(&self) -> Vec<&'static str> {
         let steps = &self.library.steps;
@@ -202,7 +202,7 @@ impl Lemma {
         claims
     }
 
-    /// Proves it, refutes its control, and prints a row about both. Whether both succeeded.
+    /// Proves the lemma, refutes its control, and prints a row. Returns whether both succeeded.
     pub(crate) fn check(&self) -> bool {
         let start = Instant::now();
         let proof = self.library.prove();

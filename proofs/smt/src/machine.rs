@@ -1,10 +1,11 @@
-//! Straight-line Rust, run on unknowns as it stands in the library's files.
+//! An interpreter of straight-line Rust from the library's files, on unknown values.
 //!
-//! What is understood is what the library uses: `let`, assignment, operators, casts, `if` with a value, calls of other
-//! functions, early returns of `false`, and what cursors do with nodes and marks. All else is an error, so that nothing
-//! is proved of what was not understood: no statement is passed over.
+//! It supports the constructs that the library uses: `let`, assignment, operators, casts, `if` with a value, calls of
+//! other functions, early returns of `false`, and the cursors' operations on nodes and marks. Every other construct is
+//! an error. No statement is skipped, so nothing is proved about code that was not understood.
 //!
-//! A node is its key, as in `spec/rocq`: a parent is a shift, a sibling a toggled bit, and a layout gives the key back.
+//! A node is represented by its key, as in `spec/rocq`: a parent is a shift, a sibling a toggled bit, and a layout
+//! returns the key.
 
 use std::collections::BTreeMap;
 
@@ -14,43 +15,43 @@ use z3::ast::Bool;
 use crate::source::{Source, pattern, text};
 use crate::word::{require, take_required};
 
-/// Runs functions of a source on values that expressions are bound to, by their text without spaces.
+/// Runs functions of a source. Values are bound to expressions by their text without spaces.
 pub(crate) struct Machine<'s, N> {
     source: &'s Source,
     values: BTreeMap<String, N>,
     /// Type of the words `W`.
     word: Type,
-    /// Whether the function has returned early, by the conditions so far.
+    /// Whether the function has returned early, for the conditions so far.
     pub(crate) returned: Vec<N>,
     /// The type of `self`.
     owner: &'s str,
-    /// How often each loop runs.
+    /// The number of iterations of each loop.
     pub(crate) loops: Vec<N>,
 }
 
 impl<'s, N: Number> Machine<'s, N> {
-    /// With these values.
+    /// Starts with these values.
     pub(crate) fn new(source: &'s Source, word: Type, values: impl IntoIterator<Item = (&'static str, N)>) -> Self {
         let values = values.into_iter().map(|(text, value)| (text.to_owned(), value)).collect();
         Self { source, values, word, returned: Vec::new(), owner: "", loops: Vec::new() }
     }
 
-    /// In a method of this type.
+    /// Selects the type of `self`.
     pub(crate) fn of(mut self, owner: &'s str) -> Self {
         self.owner = owner;
         self
     }
 
-    /// The value that an expression is bound to now.
+    /// Returns the current value of an expression.
     pub(crate) fn value(&self, text: &str) -> Result<N, String> {
         self.values.get(text).cloned().ok_or_else(|| format!("nothing is known of {text}"))
     }
 
-    /// Runs a body with the values bound so far; its value, if it has one.
+    /// Runs a body with the current values. Returns its value, if any.
     pub(crate) fn run(&mut self, body: &Block) -> Result<Option<N>, String> {
         let mut last = None;
         for statement in &body.stmts {
-            // Nothing is required of statements that are not reached.
+            // Unreachable statements have no requirements.
             let returned = self.returned.iter().map(N::is_true).collect::<Result<Vec<_>, _>>()?;
             let before = take_required();
             last = self.step(statement)?;
@@ -60,7 +61,7 @@ impl<'s, N: Number> Machine<'s, N> {
         Ok(last)
     }
 
-    /// Runs a function of the source on these values alone.
+    /// Runs a function of the source with only these values.
     pub(crate) fn call(&self, name: &str, arguments: &[N]) -> Result<N, String> {
         let function = self.source.function(name)?;
         if function.parameters.len() != arguments.len() {
@@ -71,7 +72,7 @@ impl<'s, N: Number> Machine<'s, N> {
         inside.run(&function.body)?.ok_or_else(|| format!("{name} has no value"))
     }
 
-    /// Runs one statement; its value, where it is the last one of a block with a value.
+    /// Runs one statement. Returns its value if it is the last one of a block with a value.
     pub(crate) fn step(&mut self, statement: &Stmt) -> Result<Option<N>, String> {
         match statement {
             Stmt::Local(local) => {
@@ -105,8 +106,8 @@ impl<'s, N: Number> Machine<'s, N> {
         }
     }
 
-    /// `for _ in 0..n { x = self.tree.parent(x); }`: by induction on n, x shifted by n, which must be less than its
-    /// width.
+    /// Runs `for _ in 0..n { x = self.tree.parent(x); }`. By induction on n, the result is x shifted by n, which must
+    /// be less than its width.
     fn climb(&mut self, climb: &syn::ExprForLoop) -> Result<(), String> {
         let (Expr::Range(range), [Stmt::Expr(Expr::Assign(assign), Some(_))]) = (&*climb.expr, &climb.body.stmts[..])
         else {
@@ -124,7 +125,7 @@ impl<'s, N: Number> Machine<'s, N> {
         Ok(())
     }
 
-    /// What [`Disjoint`](stackless_bvh::traverse::Disjoint) does with the second trail.
+    /// Runs the operations of [`Disjoint`](stackless_bvh::traverse::Disjoint) on the second trail.
     fn mark(&mut self, call: &syn::ExprMethodCall) -> Result<(), String> {
         let function = self.source.function(&format!("Disjoint::{}", call.method))?;
         let arguments = call.args.iter().map(|argument| self.eval(argument, None)).collect::<Result<Vec<_>, _>>()?;
@@ -138,7 +139,7 @@ impl<'s, N: Number> Machine<'s, N> {
         Ok(())
     }
 
-    /// The value of an expression; literals have the expected type.
+    /// Evaluates an expression. Literals have the expected type.
     pub(crate) fn eval(&mut self, expr: &Expr, expected: Option<Type>) -> Result<N, String> {
         let name = text(expr);
         if let Some(value) = self.values.get(&name) {
@@ -172,7 +173,7 @@ impl<'s, N: Number> Machine<'s, N> {
         }
     }
 
-    /// The value of a block that changes nothing outside.
+    /// Evaluates a block without outer effects.
     fn block(&self, block: &Block) -> Result<N, String> {
         if !block.stmts.iter().all(|statement| matches!(statement, Stmt::Local(_) | Stmt::Expr(_, None))) {
             return Err(format!("not understood: {}", text(block)));
@@ -208,7 +209,7 @@ impl<'s, N: Number> Machine<'s, N> {
             ("W::zero", []) => Ok(N::literal(0, self.word)),
             ("W::one", []) => Ok(N::literal(1, self.word)),
             ("W::from_bit", [value]) => Ok(self.eval(value, None)?.cast(self.word)),
-            // An address is the word that it is made of.
+            // An address is represented by its word.
             ("Node::from_bits", [value]) => self.eval(value, None),
             ("take" | "core::mem::take", [from]) => {
                 let value = self.eval(from, None)?;
@@ -261,7 +262,7 @@ impl<'s, N: Number> Machine<'s, N> {
         self.binary(op, on, argument, expected)
     }
 
-    /// What a method of a tree, of a layout or of the cursor itself says of nodes and keys.
+    /// Evaluates a method of a tree, a layout or the cursor itself on nodes and keys.
     fn node(&mut self, on: &Expr, name: &str, with: &[&Expr]) -> Result<Option<N>, String> {
         let node = match (&*text(on), name, with) {
             ("self.tree", "parent", [node]) => self.eval(node, None)?.binary(Op::Shr, &N::literal(1, self.word))?,
@@ -323,7 +324,7 @@ fn assigning(op: &BinOp) -> Result<Op, String> {
     })
 }
 
-/// An integer type; one unsigned bit is a truth value.
+/// An integer type. One unsigned bit is a truth value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Type {
     pub(crate) width: u32,
@@ -331,12 +332,12 @@ pub(crate) struct Type {
 }
 
 impl Type {
-    /// Unsigned, of so many bits.
+    /// Returns the unsigned type of a width.
     pub(crate) const fn unsigned(width: u32) -> Self {
         Self { width, signed: false }
     }
 
-    /// By its name; `usize` has 64 bits.
+    /// Finds a type by its name; `usize` has 64 bits.
     pub(crate) fn named(name: &str) -> Result<Self, String> {
         let (sign, width) = name.split_at(name.len().min(1));
         let width = if width == "size" { Ok(64) } else { width.parse() };
@@ -351,7 +352,7 @@ impl Type {
     }
 }
 
-/// What two numbers are put together by. `Add` and `Mul` must not overflow.
+/// An operator on two numbers. `Add` and `Mul` must not overflow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Op {
     Add,
@@ -371,7 +372,7 @@ pub(crate) enum Op {
     Unequal,
 }
 
-/// Unknown numbers of some kind.
+/// A kind of unknown numbers.
 pub(crate) trait Number: Clone {
     fn literal(value: u128, ty: Type) -> Self;
     fn ty(&self) -> Type;
@@ -380,11 +381,11 @@ pub(crate) trait Number: Clone {
     fn binary(&self, op: Op, other: &Self) -> Result<Self, String>;
     fn not(&self) -> Result<Self, String>;
     fn trailing_zeros(&self) -> Result<Self, String>;
-    /// One of two, by a truth value.
+    /// Selects one of two by a truth value.
     fn select(&self, yes: &Self, no: &Self) -> Result<Self, String>;
 }
 
-/// What is assigned to: `*counter` is `counter`.
+/// Returns the place of an assignment: `*counter` is `counter`.
 fn place(expr: &Expr) -> String {
     text(expr).trim_start_matches('*').to_owned()
 }

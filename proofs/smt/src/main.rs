@@ -1,14 +1,15 @@
 //! Straight-line facts of `stackless-bvh` at full width, proved by Z3: `cargo run [PART OF A NAME]`.
 //!
-//! The functions of `key`, `trail` and `swap` are generic over [`Word`](stackless_bvh::key::Word), and run here as they
-//! are compiled, on words of unknown bits. The functions of the hash and the steps of the counting traversals are read
-//! from the library's files and interpreted. A lemma is proved where its negation has no model; that no shift is out of
-//! range and no addition overflows is claimed with it. Its control is the same lemma about the same functions with a
-//! slip, under the same assumptions: its counterexample shows that the lemma can fail and that the assumptions can be
-//! met.
+//! The functions of `key`, `trail` and `swap` are generic over [`Word`](stackless_bvh::key::Word), and run here in
+//! compiled form on words of unknown bits. The functions of the hash and the steps of the counting traversals are read
+//! from the library's files and interpreted.
 //!
-//! Trusted are Z3, the operations of a symbolic word, and the interpreter, both of which the tests compare with the
-//! compiled library on numbers. Loops are covered by their induction step.
+//! A lemma is proved if its negation has no model. It includes the claims that no shift is out of range and no addition
+//! overflows. Its control is the lemma about functions with a slip, under equal assumptions. The counterexample to the
+//! control shows that the lemma can fail and that the assumptions are satisfiable.
+//!
+//! Z3, the operations of a symbolic word and the interpreter are trusted. The tests compare the operations and the
+//! interpreter with the compiled library on numbers. Loops are covered by their induction step.
 
 mod cursors;
 mod formulas;
@@ -43,7 +44,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Prints a row for each lemma. Whether there are any, all were proved, and all controls refuted.
+/// Prints a row for each lemma. Returns whether there are lemmas, all are proved, and all controls are refuted.
 fn table(lemmas: impl Iterator<Item = Lemma>) -> bool {
     println!("| lemma | clauses | bits | result | s | control | s |");
     println!("|---|---|---:|---|---:|---|---:|");
@@ -53,13 +54,13 @@ fn table(lemmas: impl Iterator<Item = Lemma>) -> bool {
     all > 0 && failed.is_empty()
 }
 
-/// All lemmas.
+/// Returns all lemmas.
 fn all() -> Result<Vec<Lemma>, String> {
     let words = [of_words::<32>()?, of_words::<64>()?, of_words::<128>()?].into_iter().flatten();
     Ok(words.chain(hash::lemmas()?).chain(modulo::lemmas()?).collect())
 }
 
-/// Those about words of `N` bits.
+/// Returns the lemmas about words of `N` bits.
 fn of_words<const N: u32>() -> Result<Vec<Lemma>, String> {
     let kinds = [
         keys::lemmas::<N>(),

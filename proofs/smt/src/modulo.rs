@@ -1,4 +1,4 @@
-//! The remainder by a reciprocal, over whole numbers: products of 64 unknown bits are too hard to blast.
+//! The remainder by a reciprocal, in integers: products of 64 unknown bits are too difficult for bit-blasting.
 //!
 //! The formulas are those of the library's text, with its remainders modulo powers of two. With W = 2^32 or 2^64, the
 //! key k, M = floor((W - 1) / H) and kM = qW + l,
@@ -20,7 +20,7 @@ use crate::machine::{Machine, Type};
 use crate::numbers::{Whole, power};
 use crate::source::{Source, text};
 
-/// All of them.
+/// Returns all lemmas.
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {
     let narrow = Slip {
         says: "quotient shifted by 31",
@@ -102,7 +102,7 @@ fn remainder(source: &Source, q: &mut Query, width: u32) -> Result<(), String> {
     Ok(())
 }
 
-/// What `Reciprocal::of` stores.
+/// Returns the stored value of `Reciprocal::of`.
 fn reciprocal(source: &Source) -> Result<Expr, String> {
     struct Field(Option<Expr>);
     impl<'ast> Visit<'ast> for Field {

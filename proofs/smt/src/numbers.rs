@@ -1,4 +1,4 @@
-//! Two kinds of unknown numbers: bits, which are blasted, and whole numbers, where products are not.
+//! Two kinds of unknown numbers: bits, for bit-blasting, and integers, for products.
 
 use z3::ast::{BV, Bool, Int};
 
@@ -13,7 +13,7 @@ pub(crate) struct Bits {
 }
 
 impl Bits {
-    /// An unsigned number.
+    /// Builds an unsigned number.
     pub(crate) fn new(bits: BV) -> Self {
         Self { bits, signed: false }
     }
@@ -99,21 +99,21 @@ impl Number for Bits {
     }
 }
 
-/// An unknown whole number that fits a type without sign.
+/// An unknown integer in the range of an unsigned type.
 #[derive(Clone)]
 pub(crate) struct Whole {
     pub(crate) number: Int,
     width: u32,
 }
 
-/// Two to the power `width`.
+/// Returns two to the power `width`.
 pub(crate) fn power(width: u32) -> Int {
     let half = |bits: u32| Int::from_u128(1 << bits.min(127));
     Int::mul(&[half(width.min(64)), half(width.saturating_sub(64))])
 }
 
 impl Whole {
-    /// A number that the caller knows to fit.
+    /// Builds a number that the caller guarantees to fit.
     pub(crate) fn new(number: Int, width: u32) -> Self {
         Self { number, width }
     }

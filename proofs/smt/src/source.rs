@@ -1,4 +1,4 @@
-//! The library's straight-line functions that take no [`Word`](stackless_bvh::key::Word): read from its files.
+//! The library's straight-line functions without a [`Word`](stackless_bvh::key::Word) parameter, read from its files.
 
 use std::rc::Rc;
 
@@ -8,7 +8,7 @@ use syn::{Block, Expr, Pat};
 
 use crate::machine::Type;
 
-/// The files that functions are taken from, by the names of their modules.
+/// The files of functions, by the names of their modules.
 const FILES: &[(&str, &str)] = &[
     ("modulo", include_str!("../../../src/hash/modulo.rs")),
     ("address", include_str!("../../../src/hash/address.rs")),
@@ -22,11 +22,11 @@ const FILES: &[(&str, &str)] = &[
     ("swap", include_str!("../../../src/swap.rs")),
 ];
 
-/// Where the words have their methods, in a macro that stands for all of them.
+/// The methods of words, in a macro for all word types.
 const WORDS: &str = include_str!("../../../src/key/word.rs");
 
 thread_local! {
-    /// What each of them says. Some hundred slips change one file each.
+    /// The parsed files. About a hundred slips change one file each.
     static PARSED: Vec<Result<Rc<syn::File>, String>> = FILES.iter().map(|(_, text)| parse(text)).collect();
 }
 
@@ -37,12 +37,12 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// As they are.
+    /// Returns the files unchanged.
     pub(crate) fn library() -> Result<Self, String> {
         Self::changed(str::to_owned)
     }
 
-    /// With a slip: `from`, which must stand in them once, replaced by `to`.
+    /// Returns the files with a slip: `from`, which must occur once, is replaced by `to`.
     pub(crate) fn with(from: &str, to: &str) -> Result<Self, String> {
         let texts = FILES.iter().map(|(_, text)| *text).chain([WORDS]);
         let found: usize = texts.map(|text| text.matches(from).count()).sum();
@@ -62,7 +62,7 @@ impl Source {
         Ok(Self { files, words: change(WORDS) })
     }
 
-    /// The body of a method of words that takes nothing but the word.
+    /// Returns the body of a method of words without further arguments.
     pub(crate) fn word_method(&self, name: &str) -> Result<Block, String> {
         let head = format!("fn {name}(");
         let bodies = self.words.split(&head).skip(1).filter_map(|rest| {
@@ -75,13 +75,13 @@ impl Source {
         syn::parse_str(&body).map_err(|error| format!("{name}: {error}"))
     }
 
-    /// A function, by its name if that is one of its own, else by its type's too: `wrap`, `Reciprocal::of_u32`, or
-    /// `::prune` where there is no type; or by its module's, `trail::child`.
+    /// Finds a function: by its name if that is unique, otherwise with its type (`wrap`, `Reciprocal::of_u32`, or
+    /// `::prune` without a type), or with its module (`trail::child`).
     pub(crate) fn function(&self, name: &str) -> Result<Function, String> {
         only(name, self.find(name).functions)
     }
 
-    /// A constant of the modules, by its name.
+    /// Finds a constant of the modules by its name.
     pub(crate) fn constant(&self, name: &str) -> Result<(Type, Expr), String> {
         only(name, self.find(name).constants)
     }
@@ -163,7 +163,7 @@ impl<'ast> Visit<'ast> for Finder<'_> {
     }
 }
 
-/// What a body does where there is something: the arm `Some(name)` of its `match`, or the block of its `if let`.
+/// Returns the body for the case `Some`: the arm `Some(name)` of its `match`, or the block of its `if let`.
 pub(crate) fn where_some(body: &Block, name: &str) -> Result<Expr, String> {
     struct Arms {
         pattern: String,
@@ -189,12 +189,12 @@ pub(crate) fn where_some(body: &Block, name: &str) -> Result<Expr, String> {
     only(&arms.pattern, arms.found)
 }
 
-/// Tokens without spaces.
+/// Returns tokens without spaces.
 pub(crate) fn text(tokens: &impl ToTokens) -> String {
     tokens.to_token_stream().to_string().split_whitespace().collect()
 }
 
-/// The name that a pattern binds.
+/// Returns the name that a pattern binds.
 pub(crate) fn pattern(pat: &Pat) -> String {
     match pat {
         Pat::Type(typed) => pattern(&typed.pat),

@@ -6,7 +6,7 @@ use crate::formulas::{Formulas, lemma, plus};
 use crate::lemma::{Lemma, Query};
 use crate::word::Symbolic;
 
-/// All of them, for words of `N` bits.
+/// Returns all lemmas for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
     vec![
         lemma::<N>("a level swap toggles a bit", "[SWAP-1]", toggles, "x + 2^n", |f| f.swap_level = plus),
@@ -57,8 +57,8 @@ fn composes<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("fcomp(x, a | b) = fcomp(fcomp(x, a), b)", (f.fcomp)(index, &a.or(&b)).is(&parts));
 }
 
-/// `swap_levels` by induction on the bits of the mask, and in any order: whichever bit is swapped first, the rest is
-/// `fcomp` by the rest, and by nothing it is nothing.
+/// Proves `swap_levels` by induction on the bits of the mask, in any order. If any bit is swapped first, the remaining
+/// mask applies `fcomp`; an empty mask changes nothing.
 fn peel<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     let (index, mask, bit) = (q.word::<N>("index"), q.word::<N>("mask"), q.word::<N>("bit"));
     q.assume(bit.is_power());

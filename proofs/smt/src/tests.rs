@@ -1,4 +1,4 @@
-//! What the lemmas trust, compared with the compiled library on numbers; and that a lemma can fail.
+//! The trusted parts of the lemmas, compared with the compiled library on numbers, and tests that a lemma can fail.
 
 use stackless_bvh::hash::{Modulo, Reciprocal, TableSize};
 use stackless_bvh::key::{KeyWord, Word};
@@ -39,7 +39,7 @@ fn holds(condition: &Bool) -> bool {
     condition.simplify().as_bool().unwrap()
 }
 
-/// Each operation of a symbolic word gives what it gives on numbers.
+/// Compares each operation of a symbolic word with the operation on numbers.
 fn agrees<W: KeyWord + Into<u128> + TryFrom<u128>, const N: u32>() {
     let word = |value: u128| (W::try_from(value).ok().unwrap(), Symbolic::<N>(bits(value, N)));
     let same = |real: W, symbolic: Symbolic<N>| assert_eq!(real.into(), number(&symbolic.0));
@@ -112,7 +112,7 @@ fn interpreted_remainders_are_those_of_the_library() {
     }
 }
 
-/// The first output of `SplitMix64` from 0, the paper's encoding, and a step of Algorithm 4 beside the trail's.
+/// The first output of `SplitMix64` from 0, the paper's encoding, and a step of Algorithm 4 compared with the trail's.
 #[test]
 fn interpreted_bits_are_known_ones() {
     let source = Source::library().unwrap();
@@ -143,7 +143,7 @@ fn lowbias32(mut x: u32) -> u32 {
     x ^ x >> 16
 }
 
-/// Runs the body of a function that stands in no file.
+/// Runs the body of a function that is in no file.
 fn interpret(body: &str) -> Result<Option<Bits>, String> {
     let source = Source::library()?;
     let x = [("x", Bits::new(bits(6, 32))), ("flag", Bits::new(bits(1, 1)))];
@@ -205,7 +205,7 @@ fn each_lemma_names_its_clauses_once_a_width() {
     }
 }
 
-/// Where words have several widths, of the first; the others have the same claims.
+/// If words have several widths, tests the first. The other widths have equal claims.
 #[test]
 fn every_claim_is_broken_by_a_slip() {
     let lemmas = all().unwrap();

@@ -7,7 +7,7 @@ use crate::formulas::{Formulas, lemma, plus};
 use crate::lemma::{Lemma, Query};
 use crate::word::Symbolic;
 
-/// All of them, for words of `N` bits.
+/// Returns all lemmas for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
     vec![
         lemma::<N>("trail of a child", "[TRAIL-1] [TRAIL-2]", descend, "shift left out", |f| {
@@ -98,13 +98,13 @@ fn backtrack<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("leave is its half", left.is(&(f.leave)(trail)));
 }
 
-/// `backtrack_climbing` by induction on its iterations: while bit 0 is clear both words go up a level, and the
-/// constant-time form gives the same from there; where it is set both toggle. `levels` counts the iterations, so it
-/// ends.
+/// Proves `backtrack_climbing` by induction on its iterations. While bit 0 is clear, both words go up a level, and the
+/// constant-time form gives an equal result from there. If bit 0 is set, both toggle. `levels` counts the iterations,
+/// so the loop ends.
 fn climb<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     let (key, trail) = (q.word::<N>("key"), q.word::<N>("trail"));
     let pending = trail.clone().and(&Word::one()).is_number(1);
-    // For a set bit 0 the step asks of any other trail but 0, so that nothing is required of this one.
+    // For a set bit 0 the step uses another nonzero trail, so this one has no requirements.
     let up = Symbolic(pending.ite(&trail.0, &trail.clone().shr1().0));
     q.assume(trail.is_number(0).not());
     let (next, left) = (f.backtrack)(key.clone(), trail.clone());
@@ -119,7 +119,7 @@ fn climb<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("bit 0 clear: a level less from there", Bool::or(&[pending, fewer]));
 }
 
-/// A trail of a node, and two to the power of the node's depth, which is at most W - 1.
+/// Returns the trail of a node, and two to the power of the node's depth, which is at most W - 1.
 pub(crate) fn trail_and_start<const N: u32>(q: &mut Query) -> (Symbolic<N>, Symbolic<N>) {
     let (trail, start) = (q.word::<N>("trail"), q.word::<N>("start"));
     q.assume(start.is_power());
@@ -156,8 +156,8 @@ fn counter_descends<const N: u32>(f: &Formulas<N>, q: &mut Query) {
     q.claim("it takes a 1 where a child is rejected", below.is(&counted));
 }
 
-/// The levels that a trail, which is not 0, says to climb, as an unknown: where it is shared by all shifts, the solver
-/// need not compare counts of zeros.
+/// Returns the levels that a nonzero trail climbs, as an unknown. All shifts share it, so the solver need not compare
+/// counts of zeros.
 pub(crate) fn climbed<const N: u32>(q: &mut Query, trail: &Symbolic<N>) -> Symbolic<N> {
     let up = q.word::<N>("levels");
     q.assume(up.less(&Symbolic::number(N.into())));

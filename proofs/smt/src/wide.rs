@@ -17,7 +17,7 @@ struct Wide<const A: usize, const N: u32> {
 }
 
 impl<const A: usize, const N: u32> Wide<A, N> {
-    /// Those of the library.
+    /// Returns the library's functions.
     fn library() -> Self {
         Self {
             child: wide::child_key::<A, Symbolic<N>>,
@@ -28,7 +28,7 @@ impl<const A: usize, const N: u32> Wide<A, N> {
         }
     }
 
-    /// An unknown word that has room for so many bits more.
+    /// Returns an unknown word with room for `bits` more bits.
     fn room_for(q: &mut Query, name: &'static str, bits: u32) -> Symbolic<N> {
         let word = q.word::<N>(name);
         q.assume(word.less(&Symbolic(BV::from_u64(1, N).bvshl(BV::from_u64(u64::from(N - bits), N)))));
@@ -52,7 +52,7 @@ impl<const A: usize, const N: u32> Wide<A, N> {
         Lemma { name, clauses, width: N, slip, library: query(|_| ()), control: query(plant), others }
     }
 
-    /// Slips for the claims that a lemma's own one does not break.
+    /// Slips for claims that a lemma's own slip does not break.
     fn slips() -> [fn(&mut Self); 6] {
         [
             |f| f.child = |key, slot| wide::child_key::<A, _>(key, slot).xor(&Word::one()),
@@ -65,7 +65,7 @@ impl<const A: usize, const N: u32> Wide<A, N> {
     }
 }
 
-/// All of them, for words of `N` bits.
+/// Returns all lemmas for words of `N` bits.
 pub(crate) fn lemmas<const N: u32>() -> Vec<Lemma> {
     let of = [
         of_slots::<2, N>(["child of 2", "ancestor of 2", "2: leave, then back", "2: back past an empty group"]),
@@ -125,7 +125,7 @@ fn child<const A: usize, const N: u32>(f: &Wide<A, N>, q: &mut Query) {
     q.claim("the lowest bits are the slot", child.and(&Symbolic::number(A as u64 - 1)).is(&slot));
 }
 
-/// By induction: the ancestor a level more above the child is the node's own.
+/// By induction: the ancestor one level further above the child is the node's own.
 fn ancestor<const A: usize, const N: u32>(f: &Wide<A, N>, q: &mut Query) {
     let (key, slot) = (Wide::<A, N>::room_for(q, "key", A.ilog2()), slot::<A, N>(q));
     let levels = q.word::<N>("levels");
@@ -158,7 +158,7 @@ fn past_empty<const A: usize, const N: u32>(f: &Wide<A, N>, q: &mut Query) {
     q.claim("at least a level", up.is_number(0).not());
 }
 
-/// Bit i: group i is not 0.
+/// Returns a word with bit i set if group i is not 0.
 fn groups<const N: u32>(trail: &Symbolic<N>) -> Symbolic<N> {
     let any = trail.clone().or(&trail.clone().shr1());
     let bits = (0..N / 2).map(|i| any.0.extract(2 * i, 2 * i));
@@ -166,8 +166,8 @@ fn groups<const N: u32>(trail: &Symbolic<N>) -> Symbolic<N> {
     Symbolic(bits.map_or_else(|| BV::from_u64(0, N), |bits| bits.zero_ext(N - N / 2)))
 }
 
-/// One bit a level is the trail of TRAIL-1, down and back; and where the lowest group is the sibling's slot alone, the
-/// child in that slot is the next node of TRAIL-4.
+/// With one bit per level, the trail is that of TRAIL-1, in descents and backtracks. If the lowest group has only the
+/// sibling's slot, the child in that slot is the next node of TRAIL-4.
 fn binary<const N: u32>(f: &Wide<2, N>, q: &mut Query) {
     let (pairs, pending) = (Wide::<2, N>::room_for(q, "trail", 2), q.word::<N>("pending"));
     q.assume(pending.less(&Symbolic::number(3)));

@@ -1,4 +1,4 @@
-//! A word of unknown bits, on which the library's generic functions run as they are.
+//! A word of unknown bits, for running the library's generic functions unchanged.
 
 use std::cell::RefCell;
 use std::ops::{Add, Mul};
@@ -11,58 +11,58 @@ use z3::ast::{BV, Bool};
 pub(crate) struct Symbolic<const N: u32>(pub(crate) BV);
 
 thread_local! {
-    /// What the operations so far require of their inputs.
+    /// The requirements of the operations so far.
     static REQUIRED: RefCell<Vec<Bool>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Notes what an operation requires of its inputs: no lemma holds unless all of it does.
+/// Records a requirement of an operation. A lemma holds only if all its requirements hold.
 pub(crate) fn require(condition: Bool) {
     REQUIRED.with_borrow_mut(|all| all.push(condition));
 }
 
-/// What was required since the last call.
+/// Returns the requirements since the last call.
 pub(crate) fn take_required() -> Vec<Bool> {
     REQUIRED.take()
 }
 
 impl<const N: u32> Symbolic<N> {
-    /// A number, at most `u64::MAX`.
+    /// Converts a number of at most `u64::MAX`.
     pub(crate) fn number(value: u64) -> Self {
         Self(BV::from_u64(value, N))
     }
 
-    /// The highest bit alone.
+    /// Returns the word with only the highest bit set.
     pub(crate) fn highest() -> Self {
         Self(BV::from_u64(1, N).bvshl(BV::from_u64(u64::from(N) - 1, N)))
     }
 
-    /// Whether two words are equal.
+    /// Returns whether two words are equal.
     pub(crate) fn is(&self, other: &Self) -> Bool {
         self.0.eq(&other.0)
     }
 
-    /// Whether it is this number.
+    /// Returns whether it equals a number.
     pub(crate) fn is_number(&self, value: u64) -> Bool {
         self.is(&Self::number(value))
     }
 
-    /// Whether it is less, as a number.
+    /// Returns whether it is less, as a number.
     pub(crate) fn less(&self, other: &Self) -> Bool {
         self.0.bvult(&other.0)
     }
 
-    /// Whether exactly one bit is set.
+    /// Returns whether exactly one bit is set.
     pub(crate) fn is_power(&self) -> Bool {
         let below = Self(self.0.bvsub(BV::from_u64(1, N)));
         Bool::and(&[self.is_number(0).not(), self.clone().and(&below).is_number(0)])
     }
 
-    /// Shifted left by any number of bits.
+    /// Shifts left by any number of bits.
     pub(crate) fn shl(&self, n: &Self) -> Self {
         Self(self.0.bvshl(&n.0))
     }
 
-    /// The same number in twice the bits, where sums do not wrap.
+    /// Returns the number in twice the bits, where sums do not wrap.
     pub(crate) fn wide(&self) -> BV {
         self.0.zero_ext(N)
     }
@@ -118,7 +118,7 @@ impl<const N: u32> Word for Symbolic<N> {
     }
 }
 
-/// Sums and products that leave the word, and bits that are shifted out, make a lemma false.
+/// Overflowing sums and products, and lost bits of shifts, make a lemma false.
 impl<const N: u32> Add<u32> for Symbolic<N> {
     type Output = Self;
 
@@ -158,8 +158,8 @@ impl<const N: u32> std::ops::Shr<u32> for Symbolic<N> {
     }
 }
 
-/// The number of zeros below the lowest one, which is required. Bit j of it says whether the lowest one stands at a
-/// position that has bit j.
+/// Returns the number of zeros below the lowest one, which must exist. Bit j of the result is set if the position of
+/// the lowest one has bit j.
 pub(crate) fn trailing_zeros(word: &BV) -> BV {
     let width = word.get_size();
     let number = |value: u32| BV::from_u64(value.into(), width);

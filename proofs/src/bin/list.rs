@@ -1,10 +1,10 @@
-//! The harnesses, one a line, for scripts: name, twin, unwind, that of loops within a loop, how often, covers as
-//! `number:name` with semicolons between, and the claim, with tabs between.
+//! Lists the harnesses for scripts, one per line, with tabs between the fields: name, twin, unwind, unwind of nested
+//! loops, frequency, covers as `number:name` with semicolons between them, and the claim.
 
 use proofs::{ALL, Cases, Drawn, Harness, id};
 use stackless_bvh::generate::Rng;
 
-/// Cases after which every cover has been named, reached or not.
+/// Cases after which every cover has been named, whether reached or not.
 const CASES: u32 = 20_000;
 
 fn main() {

@@ -1,4 +1,4 @@
-//! Choices one after the other: enumerated or random.
+//! Choices case by case: enumerated or random.
 
 use alloc::collections::BTreeMap;
 
@@ -6,16 +6,16 @@ use stackless_bvh::generate::{Exhaustive, Rng, Source};
 
 use super::Choose;
 
-/// Where numbers come from.
+/// The source of numbers.
 #[derive(Clone, Debug)]
 pub enum Cases {
     /// Every case once.
     All(Exhaustive),
-    /// At random, and more often at the extremes than elsewhere.
+    /// Random cases, with extremes more often.
     Some(Rng),
 }
 
-/// Choices for one case after the other, with what has been noted of all of them.
+/// Choices for one case after another, with the records of all cases.
 #[derive(Clone, Debug)]
 pub struct Drawn<const PLANTED: bool> {
     cases: Cases,
@@ -24,7 +24,7 @@ pub struct Drawn<const PLANTED: bool> {
 }
 
 impl<const PLANTED: bool> Drawn<PLANTED> {
-    /// Before the first case.
+    /// Starts before the first case.
     pub const fn new(cases: Cases) -> Self {
         Self { cases, covers: BTreeMap::new() }
     }
@@ -64,7 +64,7 @@ impl<const PLANTED: bool> Choose for Drawn<PLANTED> {
         subset
     }
 
-    /// Each tree once: a node is an inner one only where its parent is.
+    /// Each tree occurs once: a node is inner only if its parent is.
     fn inner_keys(&mut self, most: u32) -> Option<u64> {
         let mut keys = 1_u64;
         for key in 1..1 << most {
@@ -73,7 +73,7 @@ impl<const PLANTED: bool> Choose for Drawn<PLANTED> {
                 keys |= self.subset(1 << key);
             }
         }
-        // The root's parent is no node.
+        // The root's parent is not a node.
         Some(keys & !1)
     }
 
@@ -86,7 +86,7 @@ impl<const PLANTED: bool> Choose for Drawn<PLANTED> {
     }
 }
 
-/// Any number, but often short, a power of two or next to one, or the same at its other end.
+/// Draws a number that is often short, a power of two or next to one, or their complement.
 fn skewed(rng: &mut Rng) -> u64 {
     let (kind, shift, bits) = (rng.below(8), rng.below(64), rng.bits());
     match kind {

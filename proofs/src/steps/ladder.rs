@@ -1,20 +1,20 @@
-//! The nodes about one node of any tree, without memory: addresses are places, and links are arithmetic on them.
+//! The nodes around one node of any tree, without memory: addresses are places, and links are computed.
 
 use stackless_bvh::order::Side;
 use stackless_bvh::tree::{Node, Reach, Recorded, Topology};
 
 use crate::bits::Full;
 
-/// The node that a step begins at, its ancestors, their siblings, and its children: all that the step can ask about.
+/// The node where a step begins, its ancestors, their siblings, and its children: all nodes that the step can read.
 ///
-/// Places are counted from the children up. At place `2 p` and `2 p + 1` are the two children for `p` = 0, and else the
-/// ancestor `p - 1` levels up and its sibling. So each of these nodes has one address, and which node is at an address
-/// needs no key. Records name `UI` uncles at inner nodes and `UL` at leaves.
+/// Places are counted from the children up. For `p` = 0, the places `2 p` and `2 p + 1` are the two children. Otherwise
+/// they are the ancestor `p - 1` levels up and its sibling. So each of these nodes has one address, and identifying the
+/// node at an address needs no key. Records have `UI` uncles at inner nodes and `UL` at leaves.
 #[derive(Clone, Copy, Debug)]
 pub struct Ladder<W, const UI: u32, const UL: u32> {
     /// Depth of the node.
     pub node_depth: u32,
-    /// That of the tree, which is as deep as the words carry.
+    /// Depth of the tree, the maximum for the words.
     pub limit: u32,
     /// Whether the node is a leaf.
     pub is_leaf: bool,
@@ -25,18 +25,18 @@ pub struct Ladder<W, const UI: u32, const UL: u32> {
 }
 
 impl<W: Full, const UI: u32, const UL: u32> Ladder<W, UI, UL> {
-    /// The node.
+    /// Returns the node.
     pub fn node(&self) -> Node {
         if self.is_leaf { Node::leaf(2) } else { Node::inner(2) }
     }
 
-    /// One of its children.
+    /// Returns one of its children.
     pub fn child_at(&self, side: Side) -> Node {
         let index = u32::from(side.is_right());
         if self.leaf_children[index as usize] { Node::leaf(index) } else { Node::inner(index) }
     }
 
-    /// The sibling of the ancestor `levels` up, the root where there is none.
+    /// Returns the sibling of the ancestor `levels` up, or the root if there is none.
     pub fn sibling_of_ancestor(&self, levels: u32) -> Node {
         if levels >= self.node_depth {
             return self.root();
@@ -45,7 +45,7 @@ impl<W: Full, const UI: u32, const UL: u32> Ladder<W, UI, UL> {
         if self.leaf_siblings.shr(levels).low_bits() & 1 == 1 { Node::leaf(index) } else { Node::inner(index) }
     }
 
-    /// Place and side of an address.
+    /// Returns place and side of an address.
     fn place(node: Node) -> (u32, bool) {
         let index = node.index() as u32;
         (index >> 1, index & 1 == 1)
@@ -67,7 +67,7 @@ impl<W: Full, const UI: u32, const UL: u32> Topology for Ladder<W, UI, UL> {
         [self.child_at(Side::Left), self.child_at(Side::Right)]
     }
 
-    /// As many as have an address.
+    /// The number of addresses.
     fn node_count(&self) -> usize {
         2 * (self.limit as usize + 2)
     }
@@ -102,7 +102,7 @@ impl<W: Full, const UI: u32, const UL: u32> Topology for Ladder<W, UI, UL> {
         self.sibling_of_ancestor(place - 1)
     }
 
-    /// Siblings have the same. `[UNCLE-2]`
+    /// Siblings have equal uncles. `[UNCLE-2]`
     fn uncles(&self, node: Node) -> [Node; 3] {
         let (place, _) = Self::place(node);
         [0, 1, 2].map(|further| self.sibling_of_ancestor(place + further))

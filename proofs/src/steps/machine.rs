@@ -1,9 +1,9 @@
-//! The machine that Rocq proves, a step of it: written from `spec/rocq` in the operators of `u128`, and with nothing of
-//! the library's that it is compared with.
+//! One step of the machine that Rocq proves, written from `spec/rocq` with operators of `u128`, without the library
+//! code under test.
 //!
-//! Numbers in Rocq have no bound. Here they have 128 bits, which a step within the depth of the word does not leave.
+//! Numbers in Rocq are unbounded. Here they have 128 bits, which suffice for a step within the depth of the word.
 //!
-//! Of `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[REGISTER-2]` `[TRAIL-3]` `[TRAIL-4]` `[TRAIL-6]` `[UNCLE-1]`.
+//! Covers `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[REGISTER-2]` `[TRAIL-3]` `[TRAIL-4]` `[TRAIL-6]` `[UNCLE-1]`.
 
 use stackless_bvh::order::Side;
 use stackless_bvh::tree::Node;
@@ -24,16 +24,16 @@ pub struct Machine {
     pub trail: u128,
     /// The second trail.
     pub marks: u128,
-    /// The most recently postponed node, if it is held.
+    /// The most recently postponed node, if it is in the register.
     pub register: Option<Node>,
 }
 
-/// What a visit wants: the child to enter, whether the other is postponed, whether it is marked.
+/// The answer of a visit: the child to enter, whether the other child is postponed, whether it is marked.
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted {
     /// The first child.
     pub first: Side,
-    /// `Both`, else `Only`.
+    /// `Both` if true, otherwise `Only`.
     pub both: bool,
     /// The mark.
     pub mark: bool,
@@ -50,7 +50,7 @@ impl Machine {
         ladder.sibling_of_ancestor(self.levels())
     }
 
-    /// `fill` of `Register.v`, at a node whose record names so many uncles.
+    /// `fill` of `Register.v`, at a node whose record has this number of uncles.
     pub fn filled<W: Full, const UI: u32, const UL: u32>(
         &self,
         ladder: &Ladder<W, UI, UL>,
@@ -61,8 +61,7 @@ impl Machine {
     }
 
     /// `hashed_descend`, and `pdescend` of the second trail. Its `keep`, on which no theorem depends, is the library's:
-    /// the register is filled on the way into one child where the record of neither kind of child has to name the next
-    /// node.
+    /// on the way into one child, the register is filled if the record of a child need not have the next node.
     #[must_use]
     pub fn descend<W: Full, const UI: u32, const UL: u32>(self, ladder: &Ladder<W, UI, UL>, wanted: Wanted) -> Self {
         let Wanted { first, both, mark } = wanted;
@@ -82,7 +81,7 @@ impl Machine {
         }
     }
 
-    /// `trail_backtrack`, and `pback` of the second trail; the register is taken.
+    /// `trail_backtrack`, and `pback` of the second trail. The register is cleared.
     pub fn backtrack<W: Full, const UI: u32, const UL: u32>(self, ladder: &Ladder<W, UI, UL>) -> Option<Self> {
         let levels = self.levels();
         (self.trail != 0).then(|| Self {

@@ -1,4 +1,4 @@
-//! A cursor that is put aside and taken up again before every step.
+//! A cursor that is paused and resumed before every step.
 
 use stackless_bvh::event::State;
 use stackless_bvh::order::Descent;
@@ -7,21 +7,21 @@ use stackless_bvh::tree::Node;
 
 use crate::shape::{Computed, Shape};
 
-/// At each step a new cursor takes up the state of the last one.
+/// Resumes the last state in a new cursor at each step.
 #[derive(Debug)]
 pub(super) struct Resumed<C, F, P> {
     cursor: C,
-    /// Makes a cursor at the root.
+    /// Builds a cursor at the root.
     start: F,
-    /// What becomes of the state in between.
+    /// Converts the state between the pause and resuming.
     keep: P,
 }
 
 impl<C: Pause, F: Fn() -> Result<C, Unsupported>, P: Fn(Paused<C::Word>) -> Option<Paused<C::Word>>> Resumed<C, F, P> {
-    /// At the root.
+    /// Starts at the root.
     ///
     /// # Errors
-    /// As `start`.
+    /// The errors of `start`.
     pub(super) fn new(start: F, keep: P) -> Result<Self, Unsupported> {
         Ok(Self { cursor: start()?, start, keep })
     }
@@ -34,7 +34,7 @@ impl<C: Pause, F: Fn() -> Result<C, Unsupported>, P: Fn(Paused<C::Word>) -> Opti
     }
 }
 
-/// Keeps key and trail alone, and finds the nodes again by their keys.
+/// Keeps only key and trail, and finds the nodes again by their keys.
 pub(super) fn by_key_and_trail(shape: Shape) -> impl Fn(Paused<u32>) -> Option<Paused<u32>> {
     move |paused| paused.key_trail()?.locate(&ByTable(Computed(shape))).ok()
 }

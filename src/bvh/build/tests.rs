@@ -30,7 +30,7 @@ fn every_builder_is_sound_and_keeps_its_word() {
                     let bvh = options(builder, max_leaf, limit).build_watched(&mesh, &progress).expect("a tree");
                     validate(&bvh, &mesh).expect("sound");
                     assert!(bvh.depth() <= limit, "{builder} {n} {max_leaf} {limit}: {}", bvh.depth());
-                    // Complete trees have no empty leaves, and so may need some of 2.
+                    // Complete trees have no empty leaves, so some leaves may need 2.
                     let most = if builder == Builder::Median { max_leaf.max(2) } else { max_leaf };
                     assert!(bvh.leaves().iter().all(|leaf| leaf.count <= most), "{builder} {n} {max_leaf}");
                     assert_eq!(placed.into_inner() + bvh.duplicates(), bvh.triangles().len(), "{builder}");
@@ -47,7 +47,7 @@ fn every_builder_is_sound_and_keeps_its_word() {
 
 #[test]
 fn boxes_without_areas_are_halved() {
-    // Areas of so small boxes are 0 in single precision.
+    // The areas of these small boxes are 0 in single precision.
     let soup = procedural::soup(7, 4000);
     let tiny = |size: f32| {
         let vertices = soup.vertices().iter().map(|&corner| corner * size).collect();
@@ -64,7 +64,7 @@ fn boxes_without_areas_are_halved() {
 /// [BUILD-1]
 #[test]
 fn any_number_of_threads_builds_the_same_tree() {
-    // More than one chunk, and more than bins are filled by one task.
+    // More than one chunk, and more than one task for filling bins.
     let mesh = procedural::soup(3, 80_000);
     for builder in Builder::ALL {
         let build = |threads: usize| {
@@ -99,7 +99,7 @@ fn any_level_builds_the_same_tree() {
     }
 }
 
-/// Where areas overflow or vanish the tree is no worse. [BUILD-4]
+/// If areas overflow or vanish, the tree is no worse. [BUILD-4]
 #[test]
 fn trees_do_not_depend_on_the_unit() {
     let soup = procedural::soup(7, 3000);
@@ -133,7 +133,7 @@ fn a_hierarchy_of_balls_has_each_ball_once_and_inside() {
     let centres = procedural::soup(9, 2000);
     let ball = |(i, &centre): (usize, &Vec3)| Ball { centre, radius: 0.001 * (i % 7) as f32 };
     let mut balls: Vec<_> = centres.vertices().iter().enumerate().map(ball).collect();
-    // Shapes without bounds are allowed, even if they have no middle.
+    // Shapes without bounds are valid, even without a centroid.
     balls[17].radius = f32::INFINITY;
     balls[3000].centre.x = f32::NEG_INFINITY;
     for builder in Builder::ALL {
@@ -155,7 +155,7 @@ fn a_hierarchy_of_balls_has_each_ball_once_and_inside() {
     }
 }
 
-/// Expected cost of a ray through the root's box, in triangle tests.
+/// Returns the expected cost of a ray through the root's box, in triangle tests.
 fn cost(bvh: &Bvh) -> f32 {
     let boxes = bvh.own_boxes();
     let (inner, leaves) = boxes.split_at(bvh.nodes().len());
@@ -180,7 +180,7 @@ fn the_bounded_builder_has_eight_levels_and_then_medians() {
     let mesh = procedural::stadium(2);
     let bounded = options(Builder::Bounded, 4, 31).build(&mesh).expect("a tree");
     let standard = Bvh::sah(&mesh, SahOptions::default()).expect("a tree");
-    // Primitives below each node of the eighth level, and how deep it is.
+    // Number of primitives below each node of the eighth level, and its depth.
     let mut rests = Vec::new();
     let mut pending = vec![(bounded.root(), 0)];
     while let Some((node, depth)) = pending.pop() {
@@ -195,7 +195,7 @@ fn the_bounded_builder_has_eight_levels_and_then_medians() {
     assert!(bounded.depth() < standard.depth());
 }
 
-/// Number of primitives below a node.
+/// Returns the number of primitives below a node.
 fn below(bvh: &Bvh, node: Node) -> u32 {
     if node.is_leaf() {
         bvh.leaf_triangles(node).len() as u32
@@ -204,7 +204,7 @@ fn below(bvh: &Bvh, node: Node) -> u32 {
     }
 }
 
-/// A box, or nothing.
+/// A primitive that is a box.
 #[derive(Clone, Copy, Debug)]
 struct Block(Aabb);
 
@@ -218,7 +218,7 @@ fn blocks() -> Vec<Block> {
     (0..9u8).map(|i| Block(Aabb { lo: Vec3::splat(f32::from(i)), hi: Vec3::splat(f32::from(i) + 2.0) })).collect()
 }
 
-/// As they are when a tree takes on other shapes.
+/// Its box may be invalid: NaN or inverted. Refitting a tree to other shapes accepts such boxes.
 #[test]
 fn primitives_without_a_box_are_refused() {
     let nan = Vec3::new(0.0, f32::NAN, 0.0);
@@ -242,14 +242,14 @@ fn primitives_without_a_box_are_refused() {
     }
 }
 
-/// Which is what a vector says of more than there can be.
+/// A vector reports this error for impossible capacities.
 #[test]
 fn memory_that_there_is_not_is_an_error() {
     assert_eq!(room::<Vec3>(usize::MAX / 2).err(), Some(BuildError::Memory(usize::MAX)));
     assert_eq!(filled(7_u64, 3), Ok(vec![7; 3]));
 }
 
-/// Memory for further references is taken at once, so it has to be bounded.
+/// The memory for additional references is allocated at once, so it must be bounded.
 #[test]
 fn too_many_further_references_are_refused() {
     let build = |builder, extra_percent| {
@@ -261,12 +261,12 @@ fn too_many_further_references_are_refused() {
     for extra_percent in [most + 1, u32::MAX] {
         assert_eq!(build(Builder::Spatial, extra_percent), Err(BuildError::ExtraPercent(extra_percent)));
     }
-    // Others ignore what does not concern them.
+    // Other builders ignore options that do not apply to them.
     assert!(build(Builder::Standard, u32::MAX).is_ok());
 }
 
-/// Thin and long triangles, which are cut, in frames or not: bounds are those of the triangles, by every builder. So it
-/// depends on no builder whether an image of them fits. [INST-2]
+/// Long, thin triangles that are split, with and without frames. With every builder the bounds equal those of the
+/// triangles, so no builder affects whether an image fits. [INST-2]
 fn bounds_depend_on_no_builder<V: Vector>(scales: &[f64]) {
     let mut draw = Draw::new(1);
     for round in 0..300 {

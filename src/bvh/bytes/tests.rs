@@ -8,7 +8,7 @@ use crate::geom::{Mesh, Ray};
 use crate::trace::{BinaryTracer, Closest64, RayQueries, truth};
 use crate::traverse::{Method, Stack, traverse};
 
-/// Where words of the header stand.
+/// Offsets of the header's words.
 const VERSION_AT: usize = 8;
 const REAL_AT: usize = 12;
 const RECORDED_AT: usize = 16;
@@ -24,7 +24,7 @@ fn load(bytes: &[u8]) -> Result<Bvh, BvhFileError> {
     Bvh::from_bytes(bytes)
 }
 
-/// The same with the checksum that it should have.
+/// Returns the bytes with a valid checksum.
 pub(in crate::bvh) fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     if let Some((content, sum)) = bytes.split_last_chunk_mut() {
         *sum = checksum(content).to_le_bytes();
@@ -42,7 +42,7 @@ fn soup(n: usize) -> Bvh {
     Bvh::sah(&procedural::soup(4, n), SahOptions { max_leaf: 2, ..SahOptions::default() }).expect("a tree")
 }
 
-/// Small files of all kinds.
+/// Returns small hierarchies of all kinds.
 fn small() -> Vec<Bvh> {
     let (cut, _) = cut(4, 1);
     assert!(cut.duplicates() > 1);
@@ -74,7 +74,7 @@ fn come_back<V: Stored>(mesh: &Mesh<V>) {
     }
 }
 
-/// Bytes in memory, of triangles, that say nothing.
+/// Counts the padding bytes of triangles in memory.
 fn padding<V: Stored>(bvh: &Bvh<Triangle<V>>) -> usize {
     (size_of::<LeafTriangle<Triangle<V>>>() - triangle_bytes::<V>()) * bvh.triangles.len()
 }
@@ -92,7 +92,7 @@ fn hierarchies_come_back() {
         come_back(&mesh);
         come_back(&double(&mesh));
     }
-    // Beyond single precision.
+    // Beyond the range of single precision.
     let vast: Vec<_> = (0..60).map(|i| DVec3::new(f64::from(i) * 1e300, f64::from(i * i % 7), -1e200)).collect();
     come_back(&Mesh::new(vast, (0..20).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh"));
 }
@@ -155,7 +155,7 @@ fn malformed_files_are_refused_by_name() {
     assert_eq!(load(&flipped).err(), Some(E::Checksum { stored: found ^ 1, found }));
     assert_eq!(E::Magic(MAGIC).to_string(), "not such a hierarchy: it does not begin with SBVHTREE");
 
-    // Nothing at all is no hierarchy.
+    // A file without any content is not a hierarchy.
     let nothing = (NODES_AT..DROPPED_AT).step_by(4).fold(bytes, |bytes, at| patched(&bytes, at, 0));
     let nothing = sealed(nothing[..HEADER_BYTES + 8].to_vec());
     assert!(matches!(load(&nothing), Err(E::Unsound(BvhError::Order { .. }))));
@@ -174,7 +174,7 @@ fn every_flipped_bit_is_refused() {
     }
 }
 
-/// The mesh that a hierarchy is of, as far as it is known. Dropped triangles are points.
+/// Returns the mesh of a hierarchy as far as it is known. Dropped triangles become points.
 fn mesh_of<V: Stored>(bvh: &Bvh<Triangle<V>>) -> Option<Mesh<V>> {
     let count = bvh.triangles.len() + bvh.dropped - bvh.duplicates;
     let mut corners = vec![bvh.triangles[0].shape.0[0]];
@@ -186,7 +186,7 @@ fn mesh_of<V: Stored>(bvh: &Bvh<Triangle<V>>) -> Option<Mesh<V>> {
     Some(Mesh::new(corners, triangles).expect("finite corners"))
 }
 
-/// What these bytes are is refused, or sound and hit where its triangles are. Whether it was accepted.
+/// Checks that bytes are rejected, or give a valid hierarchy with correct hits. Returns whether they are accepted.
 fn does_not_mislead(bytes: &[u8], seed: u64) -> bool {
     let Ok(bvh) = load(bytes) else { return false };
     let Some(mesh) = mesh_of(&bvh) else { return true };
@@ -225,7 +225,7 @@ fn any_changes_under_a_right_checksum_do_not_mislead() {
         for seed in 0..4000 {
             let mut bytes = bytes.clone();
             for _ in 0..=rng.below(3) {
-                // A word for another, or a bit.
+                // Replaces a word, or flips a bit.
                 let [to, from] = [(); 2].map(|()| 4 * rng.below(bytes.len() as u64 / 4) as usize);
                 if rng.coin() {
                     bytes.copy_within(from..from + 4, to);
@@ -268,7 +268,7 @@ fn double_precision_does_not_mislead() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(5000))]
 
-    /// Random bytes behind a header that fits their number, and without one.
+    /// Random bytes, with and without a header that matches their length.
     #[test]
     fn random_bytes_are_no_hierarchy(body in prop::collection::vec(any::<u8>(), 0..500), words in any::<[u32; 13]>()) {
         prop_assert!(load(&body).is_err());

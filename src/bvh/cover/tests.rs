@@ -29,7 +29,7 @@ fn boxes_that_meet_cover_and_gaps_are_seen() {
     assert!(covers(&[left, right(0.3, 0.7f32.next_up())], &FLAT));
     assert!(covers(&[right(0.0, 1.0)], &FLAT));
     assert!(!covers(&[left, right(0.3f32.next_up(), 1.0)], &FLAT));
-    // Above 0.3 the triangle ends at 1 - 0.3 exactly, a little below or above the float 0.7.
+    // Above 0.3 the triangle ends at exactly 1 - 0.3, slightly below or above the float 0.7.
     let exact = 1.0 - f64::from(0.3f32);
     let least = if f64::from(0.7f32) < exact { 0.7f32.next_up() } else { 0.7 };
     assert!(covers(&[left, right(0.3, least)], &FLAT));
@@ -73,7 +73,7 @@ fn what_is_seen_easily_is_true() {
     let (mut sure, mut covered) = (0, 0);
     for _ in 0..20_000 {
         let triangle = Triangle([corner(9), corner(9), corner(9)]);
-        // Parts as a builder makes them, between random planes, each moved by a float or not.
+        // Parts between random planes, like those of a builder, each moved by an ulp or not.
         let (cut, aabb) = (corner(7), triangle.aabb());
         let boxes: Vec<_> = (0..8)
             .map(|i| {

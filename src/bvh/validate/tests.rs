@@ -4,7 +4,7 @@ use super::*;
 use crate::bvh::{BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions};
 use crate::generate::procedural;
 
-/// A hierarchy in which some triangles are in several leaves, and its mesh: long diagonals side by side.
+/// Returns a hierarchy with some triangles in several leaves, and its mesh of long parallel diagonals.
 pub(in crate::bvh) fn cut(n: u32, max_leaf: u32) -> (Bvh, Mesh) {
     let corners = (0..n).flat_map(|i| {
         let (from, to) = (Vec3::X * (i as f32 * 0.3), Vec3::new(i as f32 * 0.3 + 9.0, 9.0, 9.1));
@@ -34,7 +34,7 @@ fn boxes_without_points_are_refused() {
         assert_eq!(broken(&tree, |b| b.bounds.hi.x = f32::INFINITY), Ok(()));
     }
     let tree = cut(40, 3);
-    // Beyond the other side, but not of the root's own box.
+    // Beyond the opposite side, but not of the root's own box.
     let node = &tree.0.tree.nodes[0];
     let (child, [lo, hi, ..]) = (node.children[0], node.planes[0]);
     assert!(lo < hi);
@@ -58,7 +58,7 @@ fn corners_are_finite_and_the_same_in_all_leaves() {
     let prim = bvh.triangles[again].prim;
     let found = broken(&tree, |b| b.triangles[again].shape.0.swap(0, 1));
     assert!(matches!(found, Err(BvhError::Corners { prim: found, .. }) if found == prim), "{found:?}");
-    // All of them alike: sound, but not of this mesh.
+    // All its copies are changed equally: valid, but not of this mesh.
     let turn = |b: &mut Bvh| b.triangles.iter_mut().filter(|held| held.prim == prim).for_each(|h| h.shape.0.swap(0, 1));
     let found = broken(&tree, turn);
     assert!(matches!(found, Err(BvhError::Triangle { prim: found, .. }) if found == prim), "{found:?}");
@@ -84,7 +84,7 @@ fn dropped_triangles_are_counted() {
     for stored in [1, 3, usize::MAX] {
         assert_eq!(broken(&tree, |b| b.dropped = stored), Err(BvhError::Dropped { stored, found: 2 }));
     }
-    // Too few for the index that is there.
+    // Too few primitives for this index.
     let error = BvhError::Triangle { leaf: Node::leaf(0), prim: 1 };
     assert_eq!(broken(&tree, |b| b.dropped = 0), Err(error));
 }

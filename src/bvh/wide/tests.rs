@@ -11,7 +11,7 @@ pub(super) fn wide<const A: usize>(bvh: &Bvh) -> WideBvh<A> {
     WideBvh::of(bvh).expect("small enough")
 }
 
-/// Both widths, sound; and how many nodes they have.
+/// Checks that the trees of both widths are valid, and returns their numbers of nodes.
 fn sound(mesh: &Mesh, bvh: &Bvh) -> [usize; 2] {
     let (eight, four) = (wide::<8>(bvh), wide::<4>(bvh));
     assert_eq!((eight.validate(mesh), four.validate(mesh)), (Ok(()), Ok(())));
@@ -23,7 +23,8 @@ pub(super) fn triangles(corners: Vec<Vec3>) -> Mesh {
     Mesh::new(corners, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
 }
 
-/// Of each inner node the left child is a leaf of one triangle, and the right one all the rest.
+/// Builds a chain: the left child of each inner node is a leaf of one triangle, and the right child has all remaining
+/// triangles.
 pub(super) fn chain(mesh: &Mesh) -> Bvh {
     let mut bvh = Bvh::build(mesh).expect("a tree");
     let n = mesh.triangles().len() as u32;
@@ -89,7 +90,7 @@ fn the_smallest_ones_are_sound() {
     let mesh = procedural::soup(1, 1);
     let one = wide::<8>(&Bvh::build(&mesh).expect("a tree"));
     assert_eq!((one.nodes.len(), one.blocks.len(), one.nodes[0].leaves().count_ones()), (1, 1, 1));
-    // A triangle that nothing can hit: a tree has it all the same, and does without.
+    // A degenerate triangle cannot be hit. A tree may contain it or omit it.
     let line = triangles(vec![Vec3::ZERO, Vec3::X, 2.0 * Vec3::X]);
     sound(&line, &Bvh::build(&line).expect("a tree"));
     let none = WideBvh::<8> { triangles: 1, ..WideBvh::empty() };
@@ -98,7 +99,7 @@ fn the_smallest_ones_are_sound() {
 
 #[test]
 fn large_leaves_are_divided() {
-    // One binary leaf; then coincident triangles.
+    // A single binary leaf, and coincident triangles.
     let mesh = procedural::soup(1, 1000);
     let options = BuildOptions {
         builder: Builder::Median,
@@ -115,7 +116,7 @@ fn large_leaves_are_divided() {
         let most = wide.nodes.iter().flat_map(|node| node.children).filter(|&bits| Node::from_bits(bits).is_leaf());
         assert!(most.map(|bits| leaf_parts(Node::from_bits(bits)).1).max().expect("a leaf") <= 15);
     }
-    // In every frame: the boxes of the halves are in the frame too.
+    // In every frame: the boxes of the halves are also in the frame.
     for place in double::PLACES {
         let mesh = place.mesh(&mesh).expect("a mesh");
         let bvh = options.build(&mesh).expect("a tree");
@@ -124,7 +125,7 @@ fn large_leaves_are_divided() {
     }
     let same = triangles([Vec3::ZERO, Vec3::X, Vec3::Y].repeat(300));
     sound(&same, &Bvh::build(&same).expect("a tree"));
-    // Where triangles are in parts.
+    // With triangles in parts.
     let (mut bvh, mesh) = crate::bvh::validate::tests::cut(60, 40);
     assert!(bvh.duplicates() > 0);
     sound(&mesh, &bvh);
@@ -147,7 +148,7 @@ fn triangles_in_parts_are_covered() {
     sound(&mesh, &options.build(&mesh).expect("a tree"));
 }
 
-/// Large enough to be made in parts, of a binary tree with large leaves and of a chain too.
+/// Large enough for several tasks; from a binary tree with large leaves, and from a chain.
 #[test]
 fn the_number_of_threads_does_not_matter() {
     let mesh = procedural::soup(1, 8 * CUT as usize);
@@ -164,7 +165,7 @@ fn the_number_of_threads_does_not_matter() {
     }
 }
 
-/// However deep the binary tree is, keys fit.
+/// Keys fit for binary trees of any depth.
 #[test]
 fn depth_is_limited() {
     let one = WideOptions { max_leaf: 1, ..WideOptions::default() };
@@ -177,7 +178,7 @@ fn depth_is_limited() {
         assert_eq!((eight.validate(&mesh), four.validate(&mesh)), (Ok(()), Ok(())));
         (eight.levels(), four.levels(), eight)
     };
-    // With seven leaves a node, or three, and one more in the last one.
+    // Each node has seven leaves, or three, and the last one has one more.
     for (n, eight, four) in [(94, 13, 30), (148, 16, 30), (149, 16, 30), (2000, 16, 30), (30_000, 16, 30)] {
         let (found_eight, found_four, _) = of(n);
         assert_eq!((found_eight, found_four), (eight, four), "{n}");
@@ -196,7 +197,7 @@ fn keys_and_ancestors_agree() {
     agree(&wide::<4>(&bvh));
 }
 
-/// The key of each inner node.
+/// Returns the key of each inner node.
 fn keys<const A: usize>(wide: &WideBvh<A>) -> HashMap<u64, Node> {
     let mut keys = HashMap::new();
     let mut open = vec![(1_u64, wide.root())];
@@ -238,7 +239,7 @@ fn options_are_checked() {
     }
 }
 
-/// The first leaf that a condition holds for: node and slot.
+/// Returns the node and slot of the first leaf that satisfies a condition.
 fn leaf_where(wide: &WideBvh<8>, is_wanted: impl Fn(u32) -> bool) -> (usize, u32) {
     let slots = (0..wide.nodes.len()).flat_map(|node| (0..8).map(move |slot| (node, slot)));
     let is_wanted = |&(node, slot): &(usize, u32)| {

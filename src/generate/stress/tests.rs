@@ -11,7 +11,7 @@ pub(super) fn named(name: &str) -> StressCase {
     case(name, RAYS).unwrap_or_else(|| panic!("no case {name}"))
 }
 
-/// The triangle that a ray of most cases is aimed at.
+/// Returns the triangle at which a ray of most cases is aimed.
 pub(super) fn aimed_at(case: &StressCase, i: usize) -> [Vec3; 3] {
     case.mesh.triangle(i % case.mesh.triangles().len())
 }
@@ -56,7 +56,7 @@ fn the_first_rays_do_not_depend_on_how_many_there_are() {
     }
 }
 
-/// In double precision, which is good enough for all but the hardest rays.
+/// Tests a hit in double precision, which suffices except for the most difficult rays.
 fn hits(corners: [Vec3; 3], ray: &Ray) -> bool {
     let [a, b, c] = corners.map(Vec3::as_dvec3);
     let (origin, direction) = (ray.origin().as_dvec3(), ray.direction().as_dvec3());
@@ -80,7 +80,7 @@ fn rays_hit_and_miss() {
     assert!(missed * 2 > NAMES.len(), "{missed}");
 }
 
-/// Changes with any bit of any case. A change that is wanted changes this number, on every machine alike.
+/// This checksum of all bits of all cases is equal on every machine. Intended changes must update it.
 #[test]
 fn the_cases_are_the_same_everywhere() {
     let mut hash = 0_u64;
@@ -103,9 +103,10 @@ fn assert_closed(name: &str, mesh: &Mesh) {
     assert!(edges.iter().all(|([a, b], &there_and_back)| a < b && there_and_back == [1, 1]), "{name} is open");
 }
 
-/// How often the mesh goes around a point: the solid angles of its triangles (Van Oosterom & Strackee 1983) over 4 pi.
+/// Returns the winding number of the mesh around a point: the solid angles of its triangles (Van Oosterom & Strackee
+/// 1983) divided by 4 pi.
 ///
-/// On the surface this is no whole number. Axes may be scaled beforehand.
+/// On the surface it is not an integer. Axes may be scaled beforehand.
 fn winding(vertices: &[DVec3], triangles: &[[u32; 3]], origin: DVec3) -> f64 {
     let half_angle = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|corner| (vertices[corner as usize] - origin).normalize());
@@ -142,7 +143,7 @@ fn the_sphere_has_its_size_and_shape() {
         assert_closed("icosphere", &sphere);
         let vertices: Vec<_> = sphere.vertices().iter().map(|v| v.as_dvec3()).collect();
         assert!((winding(&vertices, sphere.triangles(), DVec3::ZERO) - 1.0).abs() < 1e-9);
-        // The rays along axes count on this.
+        // The rays along axes depend on this.
         let bits = |v: Vec3| v.to_array().map(f32::to_bits);
         let all: BTreeSet<_> = sphere.vertices().iter().map(|&v| bits(v + 0.0)).collect();
         assert!(sphere.vertices().iter().all(|&v| all.contains(&bits(-v + 0.0))));
@@ -208,7 +209,7 @@ fn boxes_are_met_where_said() {
     let points = (0..case.mesh.triangles().len()).filter(|&i| Aabb::of(&case.mesh.triangle(i)).extent() == Vec3::ZERO);
     assert!(points.count() >= 180);
 
-    // The ray and the box that 2 ulps of padding fail on, as published with the derivation.
+    // The published ray and box for which 2 ulps of padding fail.
     let case = named("ize");
     let bits = |v: Vec3| v.to_array().map(f32::to_bits);
     let known = |ray: &&Ray| {

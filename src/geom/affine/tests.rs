@@ -17,7 +17,7 @@ pub(super) fn double() -> impl Strategy<Value = f64> {
     prop_oneof![prop::sample::select(few.to_vec()), -4.0..4.0f64, threshold()]
 }
 
-/// Of few bits: what is made of them by a few sums and products is a float.
+/// Draws numbers of few bits, so the results of a few sums and products are floats.
 fn whole() -> impl Strategy<Value = f32> {
     (-3..=3i8).prop_map(f32::from)
 }
@@ -39,7 +39,7 @@ fn image(affine: &AffineMap, v: &[RBig; 3]) -> [RBig; 3] {
     affine.rows().map(|[x, y, z, b]| exact(x) * &v[0] + exact(y) * &v[1] + exact(z) * &v[2] + exact(b))
 }
 
-/// The v with A v = w, by Cramer's rule.
+/// Returns the v with A v = w, by Cramer's rule.
 pub(super) fn solution<R: Real>(affine: &AffineMap<R>, w: &[RBig; 3]) -> [RBig; 3] {
     let a = affine.rows().map(|[x, y, z, _]| [x, y, z].map(exact));
     let determinant = |a: &[[RBig; 3]; 3]| {
@@ -94,7 +94,7 @@ proptest! {
             }).expect("eight corners");
             let below = |float: f32, x: &RBig| RBig::try_from(float).map_or(float < 0.0, |float| float <= *x);
             prop_assert!(below(found.lo[k], least) && below(-found.hi[k], &-most), "{found:?}");
-            // Two floats further in is inside, unless digits cancelled.
+            // The point two floats further inward is inside, unless digits cancelled.
             let sizes: f64 = map.rows()[k].iter().zip([a, a, a, Vec3::ONE].iter().zip([b, b, b, Vec3::ONE]).enumerate())
                 .map(|(m, (axis, (a, b)))| f64::from(*m).abs() * f64::from(a[axis.min(2)].abs().max(b[axis.min(2)].abs())))
                 .sum();
@@ -106,7 +106,7 @@ proptest! {
         }
     }
 
-    /// Doubles of all sizes, boxes in a frame, and their image in another one. [INST-2] [FRAME-1]
+    /// Doubles of all magnitudes, boxes in a frame, and their images in another frame. [INST-2] [FRAME-1]
     #[test]
     fn boxes_hold_the_images_in_frames(
         rows in [[double(), double(), double(), double()], [double(), double(), double(), double()],
@@ -144,7 +144,7 @@ proptest! {
         corners in [vector(whole), vector(whole), vector(whole)],
         o in vector(whole),
     ) {
-        // A line through the image of the second corner meets it there, at t = 1.
+        // A line through the image of the second corner hits it there, at t = 1.
         let [inner, outer] = &maps;
         let target = image(outer, &image(inner, &exact_vector(corners[1])));
         let way = [0, 1, 2].map(|k| &target[k] - exact(o[k]));
@@ -163,7 +163,7 @@ proptest! {
 #[test]
 fn maps_without_an_inverse_are_refused_exactly() {
     let map = |rows: [[f32; 3]; 3]| AffineMap::new(rows.map(|[x, y, z]| [x, y, z, 7.0]));
-    // The last bit of a product that no double holds.
+    // A product whose last bit is below double precision.
     let (x, next) = (1f32.next_up(), 1f32.next_up().next_up());
     let (flat, steep) =
         ([[x, x * x, 0.0], [1.0, x, 0.0], [0.0, 0.0, 1.0]], [[x, next, 0.0], [1.0, x, 0.0], [0.0, 0.0, 1.0]]);
@@ -201,8 +201,7 @@ fn what_needs_no_rounding_is_exact() {
     assert_eq!(direction.map(|x| x.is_zero()), [true, true, false], "a ray along an axis stays so");
 }
 
-/// The images of whole numbers under whole maps are whole: the line to any point of an image is one of floats.
-/// `[INST-1]`
+/// Integer maps have integer images of integers, so the line to any point of an image is a line of floats. `[INST-1]`
 #[test]
 fn whole_images_are_met_at_their_points() {
     let inner = AffineMap::new([[2.0, 1.0, 0.0, 3.0], [0.0, 3.0, -1.0, -4.0], [1.0, 0.0, 5.0, 2.0]]).unwrap();

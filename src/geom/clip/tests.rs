@@ -10,7 +10,7 @@ fn exact(v: DVec3) -> Point {
     v.to_array().map(|x| RBig::try_from(x).expect("finite"))
 }
 
-/// The corners of the exact part of a triangle in a box, given by least and greatest coordinates.
+/// Returns the corners of the exact part of a triangle in a box, given by least and greatest coordinates.
 fn exact_part(corners: &[DVec3; 3], [lo, hi]: [DVec3; 2]) -> Vec<Point> {
     let mut polygon: Vec<Point> = corners.iter().map(|&v| exact(v)).collect();
     for axis in 0..3 {
@@ -35,8 +35,8 @@ fn exact_part(corners: &[DVec3; 3], [lo, hi]: [DVec3; 2]) -> Vec<Point> {
     polygon
 }
 
-/// Checks a part, and says whether it is tight: no plane more than two floats and 2^-44 of the coordinates farther out
-/// than the part in a box that is greater by as much.
+/// Checks a part, and returns whether it is tight: no plane is more than two floats and 2^-44 of the coordinates
+/// farther out than the exact part in a box enlarged by this margin.
 fn check<V: Vector>(corners: [V; 3], part: Aabb) -> Option<bool> {
     let triangle = Triangle(corners);
     let (found, wide) = (triangle.part(&part), triangle.widen());
@@ -117,7 +117,7 @@ fn what_is_apart_has_no_part() {
     assert!(diagonal.contains(Vec3::new(0.5, 0.5, 0.0)) && diagonal.hi.x < 0.500_001);
 }
 
-/// From 2^-900 to 2^1000 triangles are cut; of others the boxes are.
+/// Triangles from 2^-900 to 2^1000 are clipped. For other triangles the boxes are.
 #[test]
 fn all_that_cannot_overflow_is_cut() {
     let part = Aabb { lo: Vec3::new(0.5, 0.0, f32::NEG_INFINITY), hi: Vec3::new(1.0, 1.0, f32::INFINITY) };
@@ -140,7 +140,7 @@ fn parts_do_not_depend_on_the_order_of_corners() {
     }
 }
 
-/// However often it crosses the plane.
+/// For any number of crossings of the plane.
 #[test]
 fn a_cut_adds_half_as_many_corners_at_most() {
     let mut polygon = Polygon::EMPTY;
@@ -154,8 +154,8 @@ fn a_cut_adds_half_as_many_corners_at_most() {
     assert_eq!(left.count, MOST - 1);
 }
 
-/// An edge rises by a float from end to end, and is cut next to its start: in doubles the point there is as high as
-/// that.
+/// An edge rises by an ulp from end to end, and is cut close to its start. In doubles the point of the cut is as high
+/// as the end.
 #[test]
 fn what_rounding_would_lose_is_held() {
     for sign in [1.0, -1.0] {
@@ -165,7 +165,7 @@ fn what_rounding_would_lose_is_held() {
     }
 }
 
-/// Not where the way back from a dropped corner would end: 1 + (1e-20 - 1) is 0.
+/// Computing back from a dropped corner would be wrong: 1 + (1e-20 - 1) is 0.
 #[test]
 fn an_edge_from_a_corner_on_the_plane_is_cut_in_that_corner() {
     let on_plane = DVec3::new(0.0, 1e-20, 0.0);
@@ -175,7 +175,7 @@ fn an_edge_from_a_corner_on_the_plane_is_cut_in_that_corner() {
     assert_eq!(left.corners(), [on_plane; 3]);
 }
 
-/// Found by fuzzing: the triangle's x is not 0, but so small in the frame that its nearest double is. [SPLIT-1]
+/// Found by fuzzing: the triangle's x is not 0, but so small in the frame that its nearest double is 0. [SPLIT-1]
 #[test]
 fn what_becomes_0_in_a_frame_is_held() {
     let frame = Frame::new(DVec3::ZERO, 612).expect("a frame");

@@ -7,7 +7,7 @@ use crate::geom::tests::exact;
 use crate::geom::truth::{self, Number};
 use crate::geom::{Aabb, AffineMap, ExactRay};
 
-/// A box in the box from -1 to 1, and a ray that may be aimed at it from so far away.
+/// Draws a box within -1 to 1, and a ray from a distance of up to `far` that may be aimed at it.
 fn case(draw: &mut Draw, far: f64) -> (Aabb, [DVec3; 2]) {
     let (a, b) = (draw.centred(), draw.centred());
     let (inner, way) = (Aabb::of(&[a, b]), if draw.one_in(2) { draw.axis() } else { draw.ints(5) }.as_dvec3());
@@ -15,8 +15,8 @@ fn case(draw: &mut Draw, far: f64) -> (Aabb, [DVec3; 2]) {
     (inner, [at - way * far, way * f64::from(draw.float(-60, 60)).abs()])
 }
 
-/// From up to 2^1000 away, known exactly and within bounds: what a ray touches is not missed, and not told to be entered
-/// later; and what it passes by is missed, unless it is the bounds that are wide. [INST-7]
+/// Rays from distances of up to 2^1000, exact and within bounds. A touched box is not missed, and not entered too late.
+/// A box that is not touched is missed, unless the bounds are too wide. [INST-7]
 #[test]
 fn what_is_touched_from_afar_is_told() {
     let (mut draw, mut touched, mut missed, mut moved) = (Draw::new(1), 0, 0, 0);
@@ -56,12 +56,12 @@ fn what_is_touched_from_afar_is_told() {
     assert!(touched > 5000 && missed > 5000 && moved > 10_000, "{touched} {missed} {moved}");
 }
 
-/// Through maps, a line that is known exactly stays so. [INST-7]
+/// Exact lines stay exact through maps. [INST-7]
 #[test]
 fn lines_are_pulled_back_exactly() {
     let map = AffineMap::new([[3.0, 1.0, 0.0, 0.1], [0.0, -0.7, 0.0, 1e6], [0.2, 0.0, 1e-3, 5.0]]).unwrap();
     let region = Region::of(&Aabb { lo: Vec3::NEG_ONE, hi: Vec3::ONE });
-    // From the image of a point, along that of a way.
+    // The line from the image of a point, along the image of a direction.
     let image = |v: [f64; 3], w: f64| {
         map.rows()
             .map(|[x, y, z, b]| exact(x) * exact(v[0]) + exact(y) * exact(v[1]) + exact(z) * exact(v[2]) + exact(b * w))
@@ -70,7 +70,7 @@ fn lines_are_pulled_back_exactly() {
     let [o, d] = [o, d].map(|v| v.map(|x| x.to_f64().value()));
     let ray = Ray::new(DVec3::from(o), DVec3::from(d)).unwrap();
     let found = ExactRay::from(&ray).approach(&[map], &region).unwrap();
-    // But for the rounding of the ray, it enters at x = -1 after 3.5 lengths.
+    // Except for the rounding of the ray, it enters at x = -1 after 3.5 lengths.
     let near = |interval: Interval, x: f64| interval.ends().iter().all(|end| (end - x).abs() < 1e-9);
     assert!(near(found.start, 3.5) && near(found.origin[0], -1.0) && near(found.origin[1], 0.25), "{found:?}");
     assert!(near(found.direction[0], 2.0) && near(found.direction[1], 0.0), "{found:?}");

@@ -10,7 +10,8 @@ fn holds(x: Fine, number: &RBig) -> bool {
     off <= exact(x.radius)
 }
 
-/// Half of them sums of two doubles, a third with a radius; and a number that it holds, at one of its ends.
+/// Draws a number and an exact value that it encloses, at one of its ends. Half are sums of two doubles, and a third
+/// have a radius.
 fn number(random: &mut Rng) -> (Fine, RBig) {
     let mut double = |powers: u64| {
         let scale = 2f64.powi((random.bits() % powers) as i32 - powers as i32 / 2);
@@ -32,7 +33,7 @@ fn results_hold_the_exact_ones() {
         let near = |a: Fine| Fine { high: a.high.next_up(), low: -a.low, radius: a.radius };
         assert!(holds(a + b, &(&x + &y)) && holds(a - b, &(&x - &y)) && holds(a * b, &(&x * &y)), "{a:?} {b:?}");
         assert!(holds(a * b - c * a, &(&x * &y - &z * &x)), "{a:?} {b:?} {c:?}");
-        // Where nearly all digits cancel.
+        // Nearly all digits cancel.
         let (d, w) = (near(a), exact(a.high.next_up()) - exact(a.low) + (&x - exact(a.high) - exact(a.low)));
         assert!(holds(a - d, &(&x - &w)) && holds(a * b - d * b, &((&x - &w) * &y)), "{a:?} {b:?}");
         let (part, whole) = (a * a, a * a + b * b);
@@ -52,7 +53,7 @@ fn results_hold_the_exact_ones() {
     assert!(quotients > 19_000, "{quotients}");
 }
 
-/// Where the radius is more than what digits are lost.
+/// The radius is larger than the lost digits.
 #[test]
 fn wide_radii_are_not_forgotten() {
     let mut random = Rng::new(3);
@@ -72,7 +73,7 @@ fn wide_radii_are_not_forgotten() {
     assert!(least * 1.125 <= 0.5 && most * 0.875 >= 0.5, "{least} {most}");
 }
 
-/// Radii are no more than some units in the last place of twice the digits.
+/// Radii are at most some units in the last place of double-double precision.
 #[test]
 fn results_are_near() {
     let mut random = Rng::new(2);
@@ -93,20 +94,20 @@ fn what_is_exact_stays_so() {
     let [a, b, c] = [0.1f32, 0.3, 0.7].map(|x| of(1.0 + f64::from(x)));
     let zero = (a * b - b * c) * c + (b * c - a * b) * c;
     assert_eq!((zero.sign(), zero.is_exact()), (Some(0.0), true));
-    // Of three that are all far from each other, something is lost.
+    // A sum of three numbers of very different magnitudes is not exact.
     assert!(!(of(1.0) + of(1e-30) + of(1e-60)).is_exact());
     assert_eq!((of(1.0) + of(1e-30)).bounds(), [[1.0, 1e-30]; 2]);
     assert_eq!(of(0.0).root().map(Fine::bounds), Some([[0.0; 2]; 2]));
     assert!(of(1.0).over(of(0.0)).is_none() && of(0.0).over(of(0.0)).is_none());
     assert_eq!(of(-6.0).over(of(-3.0)).map(|two| two.bounds().map(|[end, _]| end)), Some([2.0; 2]));
-    // May be 0, and may not.
+    // The sign is uncertain: it may be 0.
     let wide = Fine { high: 1.0, low: 0.0, radius: 0.5 };
     assert!(wide.root().is_none() && (of(1.0) - wide).root().is_none());
     assert!(of(1.0).over(wide - wide).is_none());
     assert_eq!(Fine::UNIT.bounds(), [[0.0, 0.0], [1.0, 0.0]]);
 }
 
-/// Of what underflows, something is left out. [NEAR-5]
+/// Underflow loses a part of the product. [NEAR-5]
 #[test]
 fn a_product_that_underflows_is_not_exact() {
     let x = 1.0 + f64::EPSILON;
@@ -116,7 +117,8 @@ fn a_product_that_underflows_is_not_exact() {
     }
 }
 
-/// Numbers at thresholds, up to 2^200: what has no radius is the result, and all else is held. [NEAR-5]
+/// Numbers at thresholds, up to 2^200: results without a radius are exact, and all others enclose the exact result.
+/// [NEAR-5]
 #[test]
 fn thresholds_are_held() {
     let (mut draw, mut exactly) = (Draw::new(4), [0; 2]);
@@ -151,7 +153,8 @@ fn thresholds_are_held() {
     assert!(exactly.into_iter().all(|seen| seen > 50_000), "{exactly:?}");
 }
 
-/// What is left of a way is that way less those parts of the direction, whatever is rounded. [EXACT-12]
+/// The remainder equals the original vector minus the reported multiples of the direction, despite all roundings.
+/// [EXACT-12]
 #[test]
 fn ways_at_thresholds_are_shortened_by_what_is_told() {
     let (mut draw, mut seen) = (Draw::new(5), 0);

@@ -18,7 +18,7 @@ fn far_and_small() -> impl Strategy<Value = [DVec3; 3]> {
     })
 }
 
-/// Whether a plane is on this side of a number, and the next float toward it is not.
+/// Returns whether a plane is on this side of a number and the next float toward the number is not.
 fn is_tight(plane: f32, next: f32, x: &RBig, is_lower: bool) -> bool {
     let is_beyond = |plane: f32| match RBig::try_from(plane) {
         Ok(plane) => {
@@ -45,14 +45,14 @@ proptest! {
                 let exact = corners.map(|corner| frame.exact(corner).expect("finite")[axis].clone());
                 let (least, most) = (exact.iter().min().expect("three"), exact.iter().max().expect("three"));
                 let (lo, hi) = (aabb.lo[axis], aabb.hi[axis]);
-                // Of a sum of doubles, the bounds are doubles first: that may cost a float of single precision.
+                // The bounds of a sum of doubles are first doubles, which may cost a float of single precision.
                 prop_assert!(is_tight(lo, lo.next_up().next_up(), least, true), "{lo} {least}");
                 prop_assert!(is_tight(hi, hi.next_down().next_down(), most, false), "{hi} {most}");
             }
         }
     }
 
-    /// In its own frame the greatest coordinate of a mesh is from 1 to 2.
+    /// In its own frame the greatest coordinate of a mesh is between 1 and 2.
     #[test]
     fn a_frame_fits(corners in far_and_small()) {
         let frame = Frame::around(corners);
@@ -75,10 +75,10 @@ fn frames_are_about_medians() {
     }
     assert!(Frame::around([]).is_identity() && Frame::around([DVec3::ZERO; 3]).is_identity());
     assert_eq!(Frame::around(unit.map(|v| v * 2f64.powi(100))).exponent(), 102);
-    // Of many points some are looked at, from the first to nearly the last.
+    // For many points the frame samples some of them, from the first to nearly the last.
     let many = (0..100_000).map(|i| DVec3::splat(if i < 60_000 { f64::from(i) } else { 1e9 }));
     assert!((49_900.0..50_100.0).contains(&Frame::around(many).origin().x));
-    // The range of doubles is no limit.
+    // The frame does not overflow at the limits of doubles.
     assert_eq!(
         Frame::around([DVec3::splat(f64::MAX), DVec3::splat(f64::MIN), DVec3::splat(f64::MIN)]).exponent(),
         1000

@@ -43,7 +43,8 @@ fn what_is_exact_stays_so() {
     assert_eq!(Interval::between([1.0, 1e300]).ends_in_single(), [1.0, f32::INFINITY]);
 }
 
-/// Times a power of two: as narrow as doubles have it, so what is no double is not believed to be one. [INST-3]
+/// Multiplies by a power of two. The bounds are as narrow as doubles permit, so inexact results are not reported as
+/// exact. [INST-3]
 #[test]
 fn scaled_numbers_are_held_by_the_narrowest_bounds() {
     let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
@@ -63,7 +64,7 @@ fn scaled_numbers_are_held_by_the_narrowest_bounds() {
     assert!(seen.into_iter().all(|seen| seen > 20_000), "{seen:?}");
 }
 
-/// What is believed exact at thresholds is. [INST-3]
+/// Results reported as exact at thresholds are exact. [INST-3]
 #[test]
 fn what_is_exact_is_the_result() {
     let (mut draw, mut seen) = (Draw::new(2), [0; 3]);

@@ -5,7 +5,7 @@ use crate::generate::stress;
 use crate::geom::kernel::Exact;
 use crate::geom::{Aabb, Kernel, Ray, Region, Triangle};
 
-/// All levels that this machine has, the scalar one first.
+/// Returns all supported levels of this machine, the scalar one first.
 pub(super) fn levels() -> Vec<Level> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]

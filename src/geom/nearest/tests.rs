@@ -2,7 +2,7 @@ use super::*;
 use crate::generate::{Rng, Source};
 use truth::square_distance;
 
-/// In -1..1, with 24 bits.
+/// Draws a number in -1..1 with 24 bits.
 fn unit(random: &mut Rng) -> f64 {
     ((random.bits() >> 39) as f32 / (1 << 24) as f32 - 1.0).into()
 }
@@ -15,22 +15,22 @@ pub(super) fn narrow<V: Vector>(v: DVec3) -> V {
     V::from_components(v.to_array().map(V::Real::rounded))
 }
 
-/// Any triangle and point of a kind, of ever other sizes, and of double precision also far away.
+/// Draws a triangle and a point of a kind, of varying magnitude, in double precision also far away.
 pub(super) fn case<V: Vector>(random: &mut Rng, kind: usize) -> (Triangle<V>, V) {
     let is_double = size_of::<V>() == size_of::<DVec3>();
     let powers = if is_double && kind.is_multiple_of(7) { 332 } else { 120 };
     let scale = 2f64.powi((random.bits() % powers) as i32 - powers as i32 / 2);
     let far = [0.0, 6.4e6, 1e9][if is_double { kind / 20 % 3 } else { 0 }] * vector(random);
-    // With more bits than single precision keeps.
+    // With more bits than single precision.
     let [a, b, c] = [(); 3].map(|()| vector(random) + vector(random) * 2f64.powi(-25));
     let triangle = match kind % 4 {
-        // A sliver, a small one far away, and one on a grid.
+        // A thin triangle, a small one far away, and one on a grid.
         0 => [a, b, a.lerp(b, unit(random)) + c * 1e-6],
         1 => [a, b, c].map(|corner| corner * 1e-4 + DVec3::ONE),
         2 => [a, b, c].map(|corner| (corner * 4.0).round()),
         _ => [a, b, c],
     };
-    // What the corners are rounded to.
+    // Rounds the corners.
     let place = |v: DVec3| narrow::<V>((v + far) * scale);
     let corners = triangle.map(place);
     let [a, b, c] = corners.map(V::widen);
@@ -54,7 +54,7 @@ fn relative<V: Vector>(triangle: &Triangle<V>, point: V) -> [DVec3; 3] {
     triangle.widen().map(|corner| corner - point.widen())
 }
 
-/// Returns how many were settled without rational arithmetic.
+/// Returns the number of distances that were settled without rational arithmetic.
 fn distances<V: Vector>() -> usize {
     let mut random = Rng::new(1);
     (0..20_000)
@@ -88,7 +88,7 @@ fn check_bounds<V: Vector>() -> usize {
         };
         let [near, far] = bounds(&corners);
         if far.is_nan() {
-            // No area: nothing is bounded, and rational arithmetic decides.
+            // Without area there are no bounds, and rational arithmetic decides.
             continue;
         }
         assert!(is_within([near, far]), "{triangle:?} {point:?}");
@@ -104,7 +104,7 @@ fn bounds_hold_the_truth_and_need_their_margin() {
     assert!(bare.into_iter().all(|bare| bare > 100), "{bare:?}");
 }
 
-/// Beyond it products may over- or underflow.
+/// Outside the range, products may overflow or underflow.
 #[test]
 fn bounds_are_for_a_range() {
     let corners = [DVec3::new(1.0, 0.0, 0.5), DVec3::new(0.0, 1.0, 0.5), DVec3::new(-1.0, -1.0, 0.5)];
@@ -127,7 +127,7 @@ fn boxes_are_not_farther_than_what_is_in_them() {
     check_boxes::<DVec3>();
 }
 
-/// Where squares of doubles over- or underflow, and where boxes have no end.
+/// Squares of doubles overflow or underflow, or boxes are unbounded.
 #[test]
 fn boxes_are_not_farther_at_the_ends_of_the_range() {
     let below = |distance: f64| distance * (1.0 - 8.0 * UNIT);
@@ -142,7 +142,7 @@ fn boxes_are_not_farther_at_the_ends_of_the_range() {
     assert_eq!(to_box(-1e-300, &aabb(0.0, 1.0)), below(1e-300));
 }
 
-/// A needle or a broad triangle, of any size, and a point beside its first corner.
+/// Draws a thin or a broad triangle, of any magnitude, and a point close to its first corner.
 fn beside_a_corner(random: &mut Rng, round: i32) -> ([DVec3; 3], DVec3) {
     let [b, c, way] = [vector(random), vector(random), vector(random)];
     let c = if round % 3 == 0 { b.lerp(c, 1e-5) } else { c };
@@ -152,7 +152,7 @@ fn beside_a_corner(random: &mut Rng, round: i32) -> ([DVec3; 3], DVec3) {
     ([DVec3::ZERO, b * flat, c * flat].map(|v| (v + a) * size), (a + way * near * flat) * size)
 }
 
-/// Returns how many bounds are above the truth.
+/// Returns the number of bounds above the exact distance.
 fn wrong_cones(margin: f64) -> usize {
     let mut random = Rng::new(13);
     (0..60_000)
@@ -174,7 +174,7 @@ fn cones_are_not_farther_than_the_triangle_and_need_a_margin() {
     assert!(wrong_cones(0.0) > 1000, "{}", wrong_cones(0.0));
 }
 
-/// What the bounds for the whole triangle leave open, and twice the digits need not be asked. [NEAR-7]
+/// The bounds for the whole triangle leave these cases undecided, and double-double arithmetic is not needed. [NEAR-7]
 #[test]
 fn cones_tell_the_needles_at_the_pole_of_a_fan_apart() {
     let point = DVec3::new(1e-30, 2e-30, 0.0);
@@ -191,7 +191,7 @@ fn cones_tell_the_needles_at_the_pole_of_a_fan_apart() {
     assert!(told.count() >= 998);
 }
 
-/// Where products may over- or underflow nothing is said. [NEAR-7]
+/// If products may overflow or underflow, the bound is trivial. [NEAR-7]
 #[test]
 fn cones_are_for_a_range() {
     let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
@@ -199,11 +199,11 @@ fn cones_are_for_a_range() {
     assert_eq!([-201, -200, 199, 201].map(|power| bound(power, 2f64.powi(power)) > 0.0), [false, true, true, false]);
     assert_eq!([0.0, 2f64.powi(-201)].map(|way| bound(0, way)), [0.0; 2]);
     assert!(bound(0, 2f64.powi(-200)) > 0.0);
-    // Along an edge, nothing is across.
+    // Along an edge, the distance across it is 0.
     assert_eq!(cone::least_distance(&corners, DVec3::X * 0.25), 0.0);
 }
 
-/// Of any two doubles, and of corners and points of any size, a distance and a point are the truth, too.
+/// For any two doubles, and for corners and points of any magnitude, distance and point are correctly rounded.
 #[test]
 fn doubles_of_all_sizes_have_the_true_distance_and_point() {
     let mut random = Rng::new(11);
@@ -233,10 +233,10 @@ fn the_ends_of_the_range() {
     assert_eq!(Measure::new(Vec3::X * least, 0.0).distance(&small, 0.0), Some(0.0));
 }
 
-/// On weights that are not negative rests the upper bound. [NEAR-1]
+/// The upper bound depends on non-negative weights. [NEAR-1]
 #[test]
 fn a_guess_above_the_triangle_has_weights_that_are_positive() {
-    // Corners on a line but for rounding, beside which no edge is thought nearest: the first weight is rounded to 0.
+    // The corners are nearly collinear, and no edge seems nearest. The first weight rounds to 0.
     let needle = [
         DVec3::new(0.260_786_912_615_089_7, 0.580_635_970_183_850_9, -0.142_294_428_392_012_67),
         DVec3::new(-0.369_332_056_339_633_2, -0.413_501_223_746_040_6, 0.645_391_724_978_742),
@@ -246,7 +246,8 @@ fn a_guess_above_the_triangle_has_weights_that_are_positive() {
     assert!(bounds(&needle)[1].is_nan());
 }
 
-/// The nearest point by another way: the foot on the plane if it is inside, else the nearest point of an edge.
+/// Finds the nearest point by another method: the foot on the plane if it is inside, otherwise the nearest point of an
+/// edge.
 fn nearest_by_edges([a, b, c]: [DVec3; 3]) -> DVec3 {
     let normal = (b - a).cross(c - a);
     let foot = normal * (normal.dot(a) / normal.length_squared());
@@ -280,7 +281,7 @@ fn the_nearest_point_is_that_of_the_plane_the_edges_and_the_corners() {
     assert!(regions > 15_000, "{regions}");
 }
 
-/// The margins are as they are derived.
+/// The margins equal the derived ones.
 #[test]
 fn bounds_of_a_face_ahead() {
     let u = 2f64.powi(-53);
@@ -295,7 +296,7 @@ fn bounds_of_a_face_ahead() {
     }
 }
 
-/// Within the radius, where both bounds are the same float: then nothing is left to other stages.
+/// Both bounds round to the same float within the radius, so no other stage is needed.
 #[test]
 fn bounds_that_agree_within_the_radius_are_certain() {
     let (single, double) = (Measure::new(Vec3::ZERO, 2.0), Measure::new(DVec3::ZERO, 2.0));
@@ -323,12 +324,12 @@ pub(super) fn true_point<V: Vector>(triangle: &Triangle<V>, point: V) -> [u64; 3
     nearest.each_ref().map(|x| (V::Real::nearest(x).into() + 0.0).to_bits())
 }
 
-/// The nearest point by one kind of bounds, if these tell it.
+/// Returns the nearest point from one kind of bounds, if they determine it.
 pub(super) fn enclosed<E: Enclosure, V: Vector>(corners: &[DVec3; 3], point: DVec3) -> Option<[V::Real; 3]> {
     rounded(Parts::certified::<E>(corners, point)?.foot::<E>(corners, point)?)
 }
 
-/// Returns how many were settled by doubles, and by these or more digits.
+/// Returns the numbers of points settled by doubles, and by doubles or more digits.
 fn check_points<V: Vector>() -> [usize; 2] {
     let (mut random, mut settled) = (Rng::new(6), [0; 2]);
     for kind in 0..20_000 {
@@ -355,13 +356,14 @@ fn nearest_points_are_the_truth_rounded() {
     assert!(double[0] > 1000 && double[1] > 15_000, "{double:?}");
 }
 
-/// A needle whose corners round to two seen from the point, and one that is long where its corners differ least.
+/// A thin triangle with two corners that look equal from the point, and one that is long in the axis where its corners
+/// differ least.
 #[test]
 fn nearest_points_of_needles_with_their_corners_in_any_order() {
     let needles = [
         ([[0.0, 1.0, 0.0], [6.123_234e-17, 1.0, 0.0], [1.0, 2.0, 0.0]], [5.0, 0.5, 0.0]),
         ([[-0.2, -40_265_320.0, 0.5], [0.5, 33_554_432.0, 0.5], [-0.2, 33_554_432.0, 0.8]], [0.3, 20_132_660.0, 0.7]),
-        // Twice the same corner: no area.
+        // Two equal corners: no area.
         ([[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [0.0, 0.0, 1.0]),
     ];
     for (corners, point) in needles {
@@ -380,7 +382,7 @@ fn a_float_is_certain_where_all_between_round_to_it() {
     assert_eq!([[1.0, above], [1.0, above.next_up()], [-1e-50, -1e-60]].map(single), [Some(1.0), None, Some(0.0)]);
     assert_eq!(single([-1e-60, 1e-60]).map(f32::to_bits), Some(0));
     assert_eq!([[f64::NAN, 1.0], [1.0, f64::NAN]].map(single), [None; 2]);
-    // A rest on one side of the middle between two floats decides, and not that the sum was rounded to the middle.
+    // The remainder on one side of the midpoint between two floats decides, although the sum rounds to the midpoint.
     assert_eq!(f32::between([[1.0, 0.0], [above, -1e-30]]), Some(1.0));
     assert_eq!(f32::between([[1.0, 0.0], [above, 1e-30]]), None);
     assert_eq!(f64::between([[1.0, -1e-17], [1.0, 1e-17]]), Some(1.0));

@@ -9,12 +9,12 @@ fn fraction(numerator: i64, denominator: u64) -> RBig {
     RBig::from_parts(numerator.into(), denominator.into())
 }
 
-/// An integer of at most this magnitude, as a float.
+/// Draws an integer of at most this magnitude, as a float.
 pub(in crate::geom::truth) fn whole(random: &mut Rng, most: u32) -> f32 {
     random.below(2 * u64::from(most) + 1) as f32 - most as f32
 }
 
-/// Any finite float: all exponents alike, a few bits or all.
+/// Draws any finite float: with uniform exponents, and a few bits or all.
 pub(in crate::geom::truth) fn wild(random: &mut Rng) -> f32 {
     loop {
         let bits = random.bits() as u32;
@@ -25,7 +25,7 @@ pub(in crate::geom::truth) fn wild(random: &mut Rng) -> f32 {
     }
 }
 
-/// Like [`wild`].
+/// Draws any finite double, like [`wild`].
 pub(in crate::geom::truth) fn wild64(random: &mut Rng) -> f64 {
     loop {
         let bits = random.bits();
@@ -36,7 +36,7 @@ pub(in crate::geom::truth) fn wild64(random: &mut Rng) -> f64 {
     }
 }
 
-/// Vectors of rationals and their products, one by one.
+/// Vectors of rationals and their products, component by component.
 pub(in crate::geom::truth) mod plain {
     use super::*;
 
@@ -64,7 +64,7 @@ pub(in crate::geom::truth) mod plain {
     }
 }
 
-/// The meeting by schoolbook geometry: the point on the plane, and on which side of each edge it is.
+/// Intersects by schoolbook geometry: the point on the plane, and its side of each edge.
 fn meet_by_plane<S: Number>(triangle: [[S; 3]; 3], origin: [S; 3], direction: [S; 3]) -> Meeting {
     use plain::{along, cross, dot, minus, vector};
     let [a, b, c] = triangle.map(vector);
@@ -76,7 +76,7 @@ fn meet_by_plane<S: Number>(triangle: [[S; 3]; 3], origin: [S; 3], direction: [S
     }
     let t = dot(normal.clone(), minus(a.clone(), o.clone())) / slope;
     let p = along(o, &t, d);
-    // Twice the areas of the three parts, times the length of the normal.
+    // Twice the areas of the three parts, multiplied by the length of the normal.
     let part = |from: &plain::Vector, to: &plain::Vector| {
         dot(normal.clone(), cross(minus(to.clone(), from.clone()), minus(p.clone(), from.clone())))
     };
@@ -94,7 +94,7 @@ fn meet_by_plane<S: Number>(triangle: [[S; 3]; 3], origin: [S; 3], direction: [S
     Meeting::Hit(Point { place, t, u: u / &whole, v: v / &whole })
 }
 
-/// How often each kind of meeting came up.
+/// Counts of each kind of intersection.
 #[derive(Debug, Default)]
 struct Seen {
     miss: u32,
@@ -197,7 +197,7 @@ fn without_area_or_direction_there_is_no_crossing() {
     assert_eq!(meet([[0.0; 3], [0.0; 3], [1.0; 3]], o, d), Meeting::Coplanar);
     assert_eq!(meet(triangle, o, [0.0, -0.0, 0.0]), Meeting::Coplanar);
     assert_eq!(meet(triangle, [-1.0, 0.25, 0.0], [1.0, 0.0, 0.0]), Meeting::Coplanar);
-    // Products of these vanish in floats.
+    // These products underflow in floats.
     let tiny = triangle.map(|corner| corner.map(|x| x * 1e-45));
     assert!(matches!(meet(tiny, [0.0, 0.0, -1.0], [0.0, 0.0, 1e-45]), Meeting::Hit(_)));
 }
@@ -228,7 +228,7 @@ fn an_interval_holds_its_ends() {
     assert!(!holds([f32::NAN, 1.0], &third) && !holds([0.0, f32::NAN], &third));
 }
 
-/// The first point in common: a closed interval begins at `tmin` or where the line crosses a plane.
+/// Returns the first common point: a closed interval begins at `tmin` or where the line crosses a plane.
 fn entry_by_trial<S: Number>(o: [S; 3], d: [S; 3], [tmin, tmax]: [S; 2], lo: [S; 3], hi: [S; 3]) -> Option<RBig> {
     let (ends, lo, hi) = ([tmin, tmax], plain::vector(lo), plain::vector(hi));
     let (o, d) = (plain::vector(o), plain::vector(d));
@@ -250,7 +250,7 @@ fn a_box_is_entered_where_trial_says() {
         let mut vector = || std::array::from_fn(|_| whole(&mut random, most));
         let ([o, d, a, b], [x, y, _]): ([[f32; 3]; 4], _) = (std::array::from_fn(|_| vector()), vector());
         let each = |f: fn(f32, f32) -> f32| std::array::from_fn(|k| f(a[k], b[k]));
-        // One in five boxes may be inverted, one interval in three has no end.
+        // One in five boxes may be inverted, and one in three intervals is unbounded.
         let (lo, hi) = if i % 5 == 0 { (a, b) } else { (each(f32::min), each(f32::max)) };
         let interval = if i % 3 == 0 { [x, f32::INFINITY] } else { [x.abs() / 4.0, y.abs()] };
         let truth = entry(o, d, interval, lo, hi);
@@ -279,14 +279,14 @@ fn a_box_of_wild_numbers_is_entered_where_trial_says() {
     assert!(touched > 300, "{touched}");
 }
 
-/// Declares a test of rounding to a float: the definition is a search among all floats, which their bits order.
+/// Declares a test of rounding to a float. The definition is a search among all floats in the order of their bits.
 macro_rules! rounding {
     ($name:ident, $round:ident, $float:ty, $bits:ty, $wild:ident, $next_power:expr) => {
         #[test]
         fn $name() {
             let value = |bits: $bits| {
                 let x = <$float>::from_bits(bits);
-                // What the next float would be if exponents went on: the middle below it is where infinity begins.
+                // The next float with an unlimited exponent: infinity begins at the midpoint below it.
                 if x.is_infinite() { RBig::from(IBig::ONE << $next_power) } else { rational(x) }
             };
             let nearest = |x: &RBig| {
@@ -314,13 +314,13 @@ macro_rules! rounding {
             let limits = limits.into_iter().chain([<$float>::MAX.to_bits() - 1, <$float>::MAX.to_bits()]);
             let floats = (0..3000).map(|i| {
                 let bits = $wild(&mut random).abs().to_bits();
-                // A third of them subnormal.
+                // A third of them are subnormal.
                 if i % 3 == 0 { bits % <$float>::MIN_POSITIVE.to_bits() } else { bits }
             });
             for bits in limits.chain(floats.collect::<Vec<_>>()) {
                 let [this, next] = [value(bits), value(bits + 1)];
                 let middle = (&this + &next) / RBig::from(2);
-                // Far less than any gap between floats.
+                // Far below any gap between floats.
                 let hair = RBig::from_parts(1.into(), dashu_int::UBig::ONE << 1200);
                 let even = bits + bits % 2;
                 for sign in [RBig::ONE, -RBig::ONE] {

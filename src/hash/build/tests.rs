@@ -21,7 +21,7 @@ fn sizes_as_printed_and_tight() {
     assert_eq!(size(1 << 30), None);
 }
 
-/// A node with two leaves, at addresses of its own.
+/// A node with two leaves, at custom addresses.
 struct Three {
     inner: u32,
     leaf: u32,
@@ -69,7 +69,7 @@ fn indices_of_thirty_bits_and_no_more() {
     }
 }
 
-/// Folds that meet are made to: a few seeds in whose place all long keys fold to the same number.
+/// Collisions of folds are forced: with some seeds, all long keys fold to the same number.
 #[test]
 fn another_fold_where_two_meet() {
     let inner = |i: u32| [2 * i + 1, 2 * i + 2];
@@ -116,20 +116,21 @@ fn keys_of_64_bits_are_whole_and_those_of_65_are_folded() {
 fn tight_tables_grow_where_keys_clash() {
     let keys = |keys: &[u64]| keys.iter().map(|&key| HashedKey { key, ..HashedKey::NONE }).collect::<Vec<_>>();
     let sizes = |list: &[u64]| tight(&keys(list)).ok().map(|(buckets, cells)| (buckets.size(), cells.get()));
-    // Both in bucket 1 of 4. They are equal modulo 5, and not modulo 7, the odd number above 2 (5 * 9 / 16 + 1).
+    // Both keys are in bucket 1 of 4. They are equal modulo 5, but not modulo 7, the odd number above 2 (5 * 9 / 16 +
+    // 1).
     assert_eq!(sizes(&[1, 3]), Some((4, 1)));
     assert_eq!(sizes(&[1, 5]), Some((4, 5)));
     assert_eq!(sizes(&[1, 21]), Some((4, 7)));
     assert_eq!(sizes(&(0..100).collect::<Vec<_>>()), Some((256, 1)));
 }
 
-/// The first numbers of `SplitMix64` from seed 0, as its authors' program prints them.
+/// The first numbers of `SplitMix64` with seed 0, printed by its authors' program.
 #[test]
 fn the_mix_is_the_finaliser_of_splitmix64() {
     let states = (1..=3_u64).map(|i| i.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let expected = [0xe220_a839_7b1d_cdaf, 0x6e78_9e6a_a1b9_65f4, 0x06c4_5d18_8009_454f];
     assert_eq!(states.map(mix).collect::<Vec<_>>(), expected);
-    // That of 32 bits, by the formula of its author.
+    // The 32-bit mix, by its author's formula.
     let narrow = Mix { narrow: true, seed: Some(0) };
     assert_eq!([1, 2, 0xdead_beef].map(|key| narrow.apply(key)), [0x6889_90c0, 0xd113_2181, 0xe628_c683]);
 }
@@ -197,7 +198,7 @@ fn given_tables_answer_as_those_that_were_built() {
         let key = keys.key::<u64>(slot);
         assert_eq!(same.probe(&key), hash.probe(&key));
     }
-    // D is no power of two, there are no cells, and a displacement is not below their number.
+    // D is not a power of two, there are no cells, and a displacement is not below their number.
     assert_eq!(given(&displacements[1..], cells), None);
     assert_eq!(given(displacements, &[]), None);
     let size = cells.len() as u32;

@@ -3,7 +3,7 @@ use crate::generate::{Family, Rng, Source};
 use crate::hash::{Options, certify};
 use crate::tree::{Keys, Tree};
 
-/// Where the words of the header stand.
+/// Offsets of the header's words.
 const VERSION_AT: usize = 8;
 const SET_AT: usize = 12;
 const SIZING_AT: usize = 24;
@@ -61,7 +61,7 @@ fn malformed_tables_are_refused_by_name() {
     let refuse = |bytes: &[u8], error: E| assert_eq!(PerfectHash::from_bytes(bytes, bounds), Err(error));
     let refuse_word = |at, word, error| refuse(&patched(&bytes, at, word), error);
 
-    // Lengths, absurd ones included: nothing is allocated for them.
+    // Lengths, including absurd ones, that must not cause allocations.
     let expected = bytes.len() as u64;
     for found in [0, 1, HEADER_BYTES - 1] {
         refuse(&bytes[..found], E::Length { expected: HEADER_BYTES as u64, found });
@@ -96,7 +96,7 @@ fn malformed_tables_are_refused_by_name() {
     refuse_word(KEYS_AT, keys + 1, E::Count { name: "keys", stated: keys + 1, found: keys as usize });
     refuse_word(DIRECT_AT, direct - 1, E::Count { name: "direct", stated: direct - 1, found: direct as usize });
 
-    // Words of the tables: the tree numbers its nodes of both kinds together, up to 598.
+    // Words of the tables. The tree numbers its inner nodes and leaves together, up to 598.
     let displacement = hash.displacements().iter().position(|&word| word < 1 << 31).unwrap();
     let address = hash.displacements().iter().position(|&word| word >= 1 << 31).unwrap();
     let first_cell = HEADER_BYTES + 4 * d as usize;
@@ -121,7 +121,7 @@ fn a_seed_that_nobody_tried_is_refused() {
     assert_eq!(PerfectHash::from_bytes(&bytes, AddressBounds::of(&tree)), Err(error));
 }
 
-/// Any bytes: refused or a table that answers every key with an address of the tree or with nothing.
+/// Any bytes are rejected, or give a table that answers every key with an address of the tree or none.
 #[test]
 fn no_bytes_make_a_lookup_panic() {
     let mut rng = Rng::new(4);

@@ -13,7 +13,7 @@ fn table(key_set: KeySet, sizing: Sizing) -> PerfectHash {
     PerfectHash::build(&tree(), Options { key_set, sizing }).unwrap()
 }
 
-/// The error that a planted fault is refused with.
+/// Returns the error for a planted fault.
 fn refusal(key_set: KeySet, sizing: Sizing, plant: impl FnOnce(&mut PerfectHash)) -> CertificateError {
     let mut hash = table(key_set, sizing);
     assert_eq!(certify(&hash, &tree(), key_set), Ok(()));
@@ -21,7 +21,7 @@ fn refusal(key_set: KeySet, sizing: Sizing, plant: impl FnOnce(&mut PerfectHash)
     certify(&hash, &tree(), key_set).unwrap_err()
 }
 
-/// Every wrong word is found: each address replaced by the next node's, each displacement by the next one.
+/// Every wrong word is found. Each address is replaced by the next node's, and each displacement by the next one.
 #[test]
 fn any_word_that_is_changed_is_found() {
     for sizing in Sizing::ALL {
@@ -91,7 +91,7 @@ fn planted_faults_have_their_names() {
     let low = E::Word { in_cells: true, index: free, word: 5 };
     assert_eq!(refusal(exact, printed, |hash| hash.cells[free] = 5), low);
     let displacement = hash.displacements().iter().position(|&word| word < 1 << 31).unwrap();
-    // From H on.
+    // Cells from H on.
     for word in [cells - 1, cells, (1 << 31) - 1] {
         let high = E::Word { in_cells: false, index: displacement, word };
         assert_eq!(refusal(exact, printed, |hash| hash.displacements[displacement] = word), high);
@@ -99,7 +99,7 @@ fn planted_faults_have_their_names() {
     assert_eq!(low.to_string(), format!("cell {free} holds 0x00000005, which is out of range"));
 }
 
-/// The definitions of the sets, as the certificate has them, against the single number of the construction.
+/// Compares the definitions of the sets in the certificate with the construction's single number.
 #[test]
 fn sets_by_definition_are_sets_by_height() {
     let mut rng = Rng::new(1);

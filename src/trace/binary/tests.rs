@@ -23,7 +23,7 @@ fn trees(mesh: &Mesh) -> [Bvh; 2] {
     [Bvh::sah(mesh, SahOptions::default()), Bvh::median(mesh, 1)].map(|bvh| bvh.expect("a tree"))
 }
 
-/// A tracer by each traversal that runs on a tree.
+/// Returns a tracer for each traversal that supports a tree.
 fn tracers(bvh: &Bvh) -> Vec<BinaryTracer<&Bvh>> {
     Method::ALL.iter().filter_map(|&method| BinaryTracer::with_method(bvh, method).ok()).collect()
 }
@@ -104,7 +104,7 @@ fn a_tracer_owns_borrows_or_shares() {
 #[test]
 fn the_nearest_point_is_the_truth() {
     for (mesh, rays) in meshes() {
-        // Points anywhere, and on corners and middles of edges.
+        // Random points, corners, and midpoints of edges.
         let on = mesh.triangles().iter().take(10).flat_map(|&[a, b, _]| {
             let [a, b] = [a, b].map(|corner| mesh.vertices()[corner as usize]);
             [a, (a + b) * 0.5]

@@ -8,8 +8,8 @@ use crate::geom::Mesh;
 
 type Point = [i32; 3];
 
-/// How often each piece of an edge between two neighbours on its line is run through, forward and backward: by looking
-/// at every point of the mesh.
+/// Counts how often each piece of an edge between two neighbours on its line is covered, forward and backward, by
+/// visiting every point of the mesh.
 fn covering(faces: &[[Point; 3]]) -> BTreeMap<[Point; 2], [usize; 2]> {
     let points: BTreeSet<Point> = faces.iter().flatten().copied().collect();
     let mut pieces = BTreeMap::new();
@@ -39,8 +39,8 @@ fn mesh(faces: &[[Point; 3]]) -> Mesh {
     Mesh::new(corners.collect(), (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).expect("a mesh")
 }
 
-/// The same in double precision, to other places and sizes: at the last one neither differences nor products are
-/// floats.
+/// Returns the mesh in double precision at other places and scales. At the last one neither differences nor products
+/// are floats.
 fn placed(faces: &[[Point; 3]]) -> Vec<Mesh<DVec3>> {
     let places: [(f64, f64); 4] =
         [(1.0, 0.0), (2f64.powi(-600), 0.0), (2f64.powi(900), 0.0), (1.0, 2f64.powi(52) - 9.0)];
@@ -52,8 +52,8 @@ fn placed(faces: &[[Point; 3]]) -> Vec<Mesh<DVec3>> {
     places.map(place).into()
 }
 
-/// Faces of tetrahedra, of which some are cut at a point of an edge while their neighbours are not, some are turned and
-/// some lost.
+/// Draws faces of tetrahedra. Some are cut at a point of an edge although their neighbours are not, some are reversed,
+/// and some are missing.
 fn faces() -> impl Strategy<Value = Vec<[Point; 3]>> {
     let point = || [0..5i32, 0..5, 0..5];
     let tetrahedra = prop::collection::vec([point(), point(), point(), point()], 1..4);
@@ -61,7 +61,7 @@ fn faces() -> impl Strategy<Value = Vec<[Point; 3]>> {
     let changes = prop::collection::vec((0..100usize, prop::bool::ANY), 0..2);
     (tetrahedra, cuts, changes).prop_map(|(tetrahedra, cuts, changes)| {
         let of = |[a, b, c, d]: [Point; 4]| [[a, b, c], [a, d, b], [b, d, c], [a, c, d]];
-        // Even coordinates: the middle of an edge is a point.
+        // Even coordinates, so the midpoint of an edge is on the grid.
         let double = |p: Point| p.map(|x| 4 * x);
         let mut faces: Vec<_> = tetrahedra.into_iter().flat_map(|corners| of(corners.map(double))).collect();
         for (face, edge) in cuts {
@@ -105,7 +105,7 @@ proptest! {
             prop_assert_eq!(moved.bounds.map(Some), bounds);
             prop_assert_eq!(&Boundary { bounds: boundary.bounds, ..moved }, &boundary);
         }
-        // An edge that is named has an end at which an open piece of its line ends.
+        // A reported edge has an end at which an open piece of its line ends.
         if let Some(OpenEdge { face, ends, .. }) = boundary.first {
             let [from, to] = ends.map(|end| faces[end as usize / 3][end as usize % 3]);
             prop_assert!(faces[face].contains(&from) && faces[face].contains(&to));
@@ -119,7 +119,7 @@ proptest! {
     }
 }
 
-/// Many edges at one vertex, all of one line, all along the axes or all of different lines.
+/// Many edges at one vertex: all on one line, all along the axes, or all on different lines.
 #[test]
 fn edges_at_a_vertex_are_sorted_by_their_lines() {
     let point =

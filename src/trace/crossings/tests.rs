@@ -7,7 +7,7 @@ use crate::geom::{Aabb, Mesh};
 use crate::trace::{TrueHit, Truth};
 use crate::traverse::{Stack, traverse};
 
-/// In the last one triangles are in several leaves.
+/// Returns trees. In the last one triangles are in several leaves.
 fn trees(mesh: &Mesh) -> [Bvh; 3] {
     let spatial = SpatialOptions { extra_percent: 200, overlap: 0.0 };
     let options = BuildOptions { builder: Builder::Spatial, spatial, ..BuildOptions::default() };
@@ -22,7 +22,7 @@ fn count(bvh: &Bvh, ray: &Ray) -> u32 {
     crossings.count()
 }
 
-/// Rays from outside of the box: at corners, at points of edges, along axes through corners.
+/// Returns rays from outside the box: at corners, at points of edges, and along axes through corners.
 fn from_outside(mesh: &Mesh) -> Vec<Ray> {
     let Aabb { lo, hi } = Aabb::of(mesh.vertices());
     let middle = lo * 0.5 + hi * 0.5;

@@ -8,7 +8,7 @@ use crate::trace::{BinaryTracer, Tracer, TrueHit, Truth};
 use crate::traverse::Method;
 use crate::wide;
 
-/// Triangles in several leaves, and each of them three times, so that all hits are ties.
+/// Returns triangles in several leaves, each three times, so all hits are ties.
 fn scene() -> (Mesh, Bvh, Vec<Ray>) {
     let mut draw = Draw::new(1);
     let vertices = (0..300).map(|_| draw.ints(16)).collect();
@@ -28,7 +28,7 @@ fn accepted_hits_are_those_of_the_truth_by_every_traversal() {
     let (mesh, bvh, rays) = scene();
     let wide = WideBvh::of(&bvh).expect("a wide tree");
     let count = mesh.triangles().len() as u32 / 3;
-    // The last copy but that of some triangles, and hits of one half of each triangle.
+    // The last copy, except of some triangles, and hits on one half of each triangle.
     let accepts_triangle = |prim: u32| prim >= count && !prim.is_multiple_of(5);
     let accepts_hit = |hit: &Hit| hit.u > hit.v;
     let filter = Filter::ALL.triangles(&accepts_triangle).hits(&accepts_hit);
@@ -57,7 +57,8 @@ fn accepted_hits_are_those_of_the_truth_by_every_traversal() {
     }
 }
 
-/// Of any hit the first one ends the search. Of closest hits, few are shown to the filter, and none behind the best.
+/// An any-hit query ends at the first accepted hit. In closest-hit queries the filter is called for few hits, and for
+/// none behind the best.
 #[test]
 fn filters_are_called_for_few_hits() {
     let (_, bvh, rays) = scene();

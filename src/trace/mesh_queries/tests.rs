@@ -14,15 +14,15 @@ fn tracer64(mesh: &Mesh<DVec3>) -> Tracer64 {
     BinaryTracer::with_tests(Bvh::build(mesh).expect("a tree"), Method::default()).expect("a tracer")
 }
 
-/// A mesh, and rays, times a power of two, in double precision.
+/// Scales a mesh and rays by a power of two, in double precision.
 fn scaled(mesh: &Mesh, rays: &[Ray], by: f64) -> (Mesh<DVec3>, Vec<Ray<DVec3>>) {
     let vertices = mesh.vertices().iter().map(|v| v.as_dvec3() * by).collect();
     let ray = |ray: &Ray| Ray::new(ray.origin().as_dvec3() * by, ray.direction().as_dvec3()).expect("a ray");
     (Mesh::new(vertices, mesh.triangles().to_vec()).expect("a mesh"), rays.iter().map(ray).collect())
 }
 
-/// The numbers of crossings are those in single precision, by whatever stage decides: filter and sums, or rational
-/// arithmetic where the numbers are huge or tiny. [PARITY-1]
+/// The numbers of crossings equal those in single precision for every deciding stage: filter and sums, or rational
+/// arithmetic for huge or tiny numbers. [PARITY-1]
 #[test]
 fn crossings_in_double_precision_are_those_in_single() {
     let mut cases = 0;
@@ -46,7 +46,7 @@ fn crossings_in_double_precision_are_those_in_single() {
     assert!(cases > 10, "{cases}");
 }
 
-/// A triangle in several leaves is counted once, by every traversal.
+/// Every traversal counts a triangle in several leaves once.
 #[test]
 fn crossings_are_those_of_the_wide_tracer() {
     let (mesh, spatial) = (procedural::layers(40), SpatialOptions { extra_percent: 200, overlap: 0.0 });
@@ -63,7 +63,7 @@ fn crossings_are_those_of_the_wide_tracer() {
     }
 }
 
-/// Coordinates that single precision does not have.
+/// Coordinates beyond single precision.
 #[test]
 fn rays_through_corners_that_are_doubles_cross_an_odd_number_of_times() {
     let sphere = stress::icosphere(2, 1.0, Vec3::ZERO).expect("a mesh");

@@ -11,14 +11,14 @@ fn scenes() -> Vec<(Mesh, Vec<Ray>)> {
     meshes.map(|mesh| (procedural::rays(&mesh, 4, 60), mesh)).map(|(rays, mesh)| (mesh, rays)).into()
 }
 
-/// Three more triangles, which no ray meets.
+/// Adds three triangles that no ray hits.
 fn with_flat_triangles(mesh: &Mesh) -> Mesh {
     let first = mesh.triangles()[0];
     let triangles = mesh.triangles().iter().copied().chain([[first[0], first[0], first[1]]; 3]).collect();
     Mesh::new(mesh.vertices().to_vec(), triangles).expect("a mesh")
 }
 
-/// A tree for rays.
+/// Returns a tree for rays.
 fn lean(mesh: &Mesh) -> Bvh {
     BuildOptions { degenerate: Degenerate::LeftOut, ..BuildOptions::default() }.build(mesh).expect("a tree")
 }
@@ -60,7 +60,7 @@ fn degenerate_triangles_are_left_out_without_a_trace() {
     }
 }
 
-/// What is done with a part and what without, in figures that must differ.
+/// Returns the cost with and without a part, in figures that must differ.
 fn done(part: Part, bvh: &Bvh, mesh: &Mesh, rays: &[Ray]) -> [u64; 2] {
     let lean =
         Plan::new(bvh, Method::Hashed, if part == Part::SecondTrail { QueryKind::Distance } else { QueryKind::Any });
@@ -90,13 +90,13 @@ fn each_decision_changes_what_is_done() {
     let (bvh, rays) = (lean(&mesh), procedural::rays(&mesh, 4, 600));
     for part in Part::ALL {
         let [without, with] = done(part, &bvh, &mesh, &rays);
-        // The second trail is for visits that are not made; everything else is work or memory.
+        // The second trail saves visits. Every other part costs work or memory.
         let ok = if part == Part::SecondTrail { without > with } else { without < with };
         assert!(ok, "{part:?}: {without}, {with}");
     }
     let by_node = Plan::new(&bvh, Method::Skip, QueryKind::Hit);
     assert!(!by_node.skips(Part::OwnBoxes) && !by_node.skips(Part::Weights) && by_node.skips(Part::Repeats));
-    // Where a hit ends nothing, nothing is kept for pruning.
+    // If hits end nothing, nothing is stored for pruning.
     for (ask, method) in
         [(QueryKind::All, Method::Hashed), (QueryKind::Any, Method::Hashed), (QueryKind::Hit, Method::HashedDisjoint)]
     {
@@ -126,7 +126,7 @@ fn a_tracer_says_what_the_plan_asks_for() {
     }
 }
 
-/// Long triangles, which spatial splits cut.
+/// Returns long triangles, which spatial splits divide.
 fn diagonals() -> Mesh {
     let corner = |i: u32| Vec3::new((i % 5) as f32, (i / 5 % 5) as f32, (i / 25) as f32);
     let vertices = (0..150).flat_map(|i| [corner(i), corner(i) + Vec3::X * 0.3, corner(i) + Vec3::ONE * 5.0]).collect();
@@ -166,7 +166,8 @@ fn counts_are_those_of_the_visits() {
             assert!(
                 stack.sums <= stack.fallbacks && stack.fallbacks <= stack.triangles && stack.leaves <= stack.triangles
             );
-            // Only traversals with key and trail can tell; each postponed node is come back to, unless the query ends.
+            // Only traversals with key and trail count backtracks. Each postponed node is visited, unless the query
+            // ends.
             assert_eq!(stack.backtracks.total(), 0);
             assert!(any || 0 < hashed.backtracks.total() && hashed.backtracks.total() < hashed.inner);
             assert!(skip.inner <= skip.boxes && skip.leaves <= skip.triangles);

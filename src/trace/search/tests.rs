@@ -1,4 +1,4 @@
-//! Double precision, against rational arithmetic. (Single precision is tested with the module above.)
+//! Double precision, compared with rational arithmetic. (The tests of the parent module cover single precision.)
 
 use glam::DVec3;
 
@@ -9,7 +9,7 @@ use crate::geom::Mesh;
 use crate::trace::{AllHits64, Truth};
 use crate::traverse::{Stack, traverse};
 
-/// In -1..1, with 53 bits.
+/// Draws a number in -1..1 with 53 bits.
 fn unit(random: &mut Rng) -> f64 {
     (random.bits() >> 10) as f64 / 2f64.powi(53) - 1.0
 }
@@ -18,7 +18,7 @@ fn point(random: &mut Rng) -> DVec3 {
     DVec3::new(unit(random), unit(random), unit(random))
 }
 
-/// Small triangles anywhere within -10..10.
+/// Returns small triangles within -10..10.
 fn soup(seed: u64, n: usize) -> Mesh<DVec3> {
     let mut random = Rng::new(seed);
     let corners = (0..n).flat_map(|_| {
@@ -33,7 +33,7 @@ fn separate(corners: Vec<DVec3>) -> Mesh<DVec3> {
     Mesh::new(corners, triangles).expect("a mesh")
 }
 
-/// A closed cube of `n` squares along an edge, with whole corners, each square of two triangles.
+/// Returns a closed cube of `n` squares along an edge, with integer corners and two triangles per square.
 fn cube(n: u32) -> Mesh<DVec3> {
     let squares = (0..6 * n * n).flat_map(|i| {
         let (face, x, y) = (i / (n * n), i % n, i / n % n);
@@ -52,8 +52,8 @@ fn moved(mesh: &Mesh<DVec3>, to: impl Fn(DVec3) -> DVec3) -> Mesh<DVec3> {
     Mesh::new(mesh.vertices().iter().map(|&v| to(v)).collect(), mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// At corners, middles of edges and anything else near the mesh, from corners and from elsewhere, along axes too, with
-/// and without ends.
+/// Returns rays at corners, midpoints of edges and other points close to the mesh, from corners and from other points,
+/// also along axes, with and without ends.
 fn rays(mesh: &Mesh<DVec3>, seed: u64, n: usize) -> Vec<Ray<DVec3>> {
     let mut random = Rng::new(seed);
     let corners = mesh.vertices();
@@ -81,7 +81,7 @@ fn bits(hit: Hit<f64>) -> (u32, [u64; 3]) {
     (prim, [t, u, v].map(f64::to_bits))
 }
 
-/// Every answer, over both kinds of trees, against the truth; returns the number of hits.
+/// Compares every answer of both kinds of trees with the exact one. Returns the number of hits.
 fn compare(mesh: &Mesh<DVec3>, rays: &[Ray<DVec3>]) -> usize {
     let options = SahOptions { max_leaf: 3, ..SahOptions::default() };
     let trees = [Bvh::sah(mesh, options), Bvh::median(mesh, 1), Bvh::median(mesh, 4)].map(|tree| tree.expect("a tree"));
@@ -156,7 +156,7 @@ fn where_doubles_over_and_underflow() {
             assert!(hits > 10, "{hits} at {scale}");
         }
     }
-    // Numbers of all magnitudes side by side.
+    // Numbers of all magnitudes.
     let mut random = Rng::new(50);
     let mut hits = 0;
     for round in 0..30 {
@@ -177,7 +177,7 @@ fn degenerate_triangles_are_left_out_at_any_scale() {
     for scale in [1.0, 1e-70, 1e-310, 1e300] {
         let line = [1.0, 2.0, 3.0].map(|x| DVec3::new(x, 2.0 * x, 0.0) * scale);
         let [a, b, c] = [DVec3::X, DVec3::Y, DVec3::Z].map(|v| v * scale);
-        // Exactly on a line, or a hair off it; three points; nothing wrong.
+        // Exactly on a line or an ulp off it; three points; a valid mesh.
         let off = DVec3::new(line[2].x, line[2].y.next_up(), 0.0);
         let mesh = separate([line, [line[0], line[1], off], [a; 3], [a, b, c]].concat());
         let left_out = BuildOptions { degenerate: Degenerate::LeftOut, ..BuildOptions::default() };
@@ -189,7 +189,7 @@ fn degenerate_triangles_are_left_out_at_any_scale() {
 
 #[test]
 fn the_nearest_of_triangles_that_single_precision_cannot_tell_apart() {
-    // Three parallel triangles, a unit of double precision apart, the nearest one last.
+    // Three parallel triangles, one double-precision ulp apart, the nearest one last.
     let at = |z: f64| [DVec3::new(-1.0, -1.0, z), DVec3::new(3.0, -1.0, z), DVec3::new(-1.0, 3.0, z)];
     let mesh = separate([at(1f64.next_up().next_up()), at(1f64.next_up()), at(1.0)].concat());
     for bvh in [Bvh::median(&mesh, 1), Bvh::sah(&mesh, SahOptions::default())].map(|tree| tree.expect("a tree")) {

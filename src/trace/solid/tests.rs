@@ -10,8 +10,8 @@ use crate::traverse::Method;
 
 type Box3 = [[i32; 3]; 2];
 
-/// The faces of a box, seen from outside. One of them is cut at a vertex in the middle of an edge, where its neighbour
-/// is not.
+/// Returns the faces of a box, seen from outside. One of them is split at a vertex in the middle of an edge, and its
+/// neighbour is not.
 fn faces([lo, hi]: Box3, cut: usize) -> Vec<[[i32; 3]; 3]> {
     let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 1 { hi[k] } else { lo[k] });
     let quads = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
@@ -41,8 +41,8 @@ fn square_to_surface([lo, hi]: &Box3, point: [i32; 3]) -> i32 {
     }
 }
 
-/// Boxes that overlap, touch and repeat, and all points of a grid, many of them on faces, edges and corners: by all
-/// rules, both tracers and both precisions, against the boxes themselves. [CLOSED-2]
+/// Boxes that overlap, touch and repeat, and all points of a grid, many of them on faces, edges and corners. All rules,
+/// both tracers and both precisions are compared with the boxes themselves. [CLOSED-2]
 fn points_are_where_the_boxes_say<V: Precision>() {
     let (mut random, mut counts) = (Rng::new(5), [0; 4]);
     for round in 0..12 {
@@ -96,7 +96,7 @@ fn points_are_where_the_boxes_say<V: Precision>() {
                         let distance = boxes.iter().map(|it| square_to_surface(it, point)).min().map(f64::from);
                         let distance = distance.expect("a box").sqrt() * if is_inside { -1.0 } else { 1.0 };
                         let measured = [by_wide.signed_distance(at), by_binary.signed_distance(at)];
-                        // The sign of a zero is not compared.
+                        // Signs of zeros are not compared.
                         let expected = V::Real::rounded(distance + 0.0);
                         assert_eq!(measured, [Ok(expected); 2], "{boxes:?} {point:?} {rule:?}");
                     }

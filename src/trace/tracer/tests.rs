@@ -13,7 +13,7 @@ fn bits<R: Into<f64>>(hit: Option<Hit<R>>) -> Option<(u32, [u64; 3])> {
 
 type Binary<'b, V> = BinaryTracer<&'b Bvh<Triangle<V>>, <V as Precision>::Exact, <V as Precision>::Slabs>;
 
-/// All traversals and levels answer as `BinaryTracer` does, bit for bit; returns the number of hits.
+/// Checks that all traversals and levels answer like `BinaryTracer`, bit for bit. Returns the number of hits.
 fn compare<V: Precision>(mesh: &Mesh<V>, rays: &[Ray<V>], options: &BuildOptions) -> usize {
     let bvh = options.build(mesh).expect("a hierarchy");
     let wide = WideBvh::of(&bvh).expect("a wide one");
@@ -39,14 +39,14 @@ fn compare<V: Precision>(mesh: &Mesh<V>, rays: &[Ray<V>], options: &BuildOptions
     expected.iter().flatten().count()
 }
 
-/// What a binary tracer answers to the queries that share one copy of the traversals, for every third ray.
+/// A binary tracer's answers to the queries that share one copy of the traversals, for every third ray.
 struct Rare<V: Precision> {
     all: Vec<Vec<Hit<V::Real>>>,
     crossings: Vec<u32>,
     near: Vec<Vec<Near<V>>>,
 }
 
-/// Some balls have nothing in them, some all.
+/// Some balls contain no triangle, and some contain all.
 fn ball<V: Precision>(i: usize, ray: &Ray<V>) -> Ball<V> {
     let length = ray.direction().widen().length();
     Ball::new(ray.origin(), V::Real::rounded([0.1, 0.5 * length, f64::INFINITY][i % 3])).expect("a ball")
@@ -140,7 +140,7 @@ fn an_empty_hierarchy_and_no_rays() {
     }
 }
 
-/// Rays end in another order than they begin, and in each number that a turn can end with.
+/// Rays end in another order than they begin, and with every possible number of remaining rays.
 #[test]
 fn each_answer_is_of_its_ray() {
     let mesh = procedural::soup(6, 200);
@@ -155,8 +155,7 @@ fn each_answer_is_of_its_ray() {
     }
 }
 
-/// All visit the same leaves. A stack never comes back to a node; the record does where more than two children were
-/// pending.
+/// All visit the same leaves. A stack never returns to a node. The record does if more than two children were pending.
 #[test]
 fn traversals_differ_in_how_often_they_ask() {
     let mesh = procedural::soup(8, 3000);
@@ -213,7 +212,7 @@ fn few_of_many_that_are_equally_near_are_looked_at() {
     }
 }
 
-/// Counts the leaves that are visited.
+/// Counts visited leaves.
 struct Leaves<Q> {
     query: Q,
     count: usize,
@@ -230,7 +229,7 @@ impl<Q: Visitor> Visitor for Leaves<Q> {
     }
 }
 
-/// A direction so short that all distances overflow is no reason to look at all boxes. `[LANES-1]`
+/// A short direction, whose distances overflow, must not visit all boxes. `[LANES-1]`
 #[test]
 fn short_directions_leave_boxes_out() {
     let mesh = stress::icosphere(4, 1.0, glam::Vec3::ZERO).expect("a sphere");
@@ -246,7 +245,8 @@ fn short_directions_leave_boxes_out() {
     }
 }
 
-/// Double precision, in places that single precision cannot hold. [DET-1] [BOX-8] [BOX-9] [LANES-3] [LANES-4] [LANES-6] [LANES-7]
+/// Double precision, at places beyond the reach of single precision. [DET-1] [BOX-8] [BOX-9] [LANES-3] [LANES-4]
+/// [LANES-6] [LANES-7]
 #[test]
 fn doubles_are_answered_as_by_the_binary_tracer() {
     let mut hits = 0;
@@ -260,7 +260,7 @@ fn doubles_are_answered_as_by_the_binary_tracer() {
     assert!(hits > 1000, "{hits}");
 }
 
-/// Of many rays some reach what few do.
+/// Large numbers of rays reach rare cases.
 #[test]
 fn many_doubles_are_answered_as_by_the_binary_tracer() {
     for mesh in [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)] {

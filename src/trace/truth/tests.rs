@@ -5,7 +5,7 @@ use super::*;
 use crate::generate::{Rng, Source, procedural};
 use crate::geom::truth::{Place, RBig};
 
-/// In -1..1.
+/// Draws a number in -1..1.
 fn unit(random: &mut Rng) -> f32 {
     (random.bits() >> 40) as f32 / f32::powi(2.0, 23) - 1.0
 }
@@ -14,8 +14,8 @@ fn point(random: &mut Rng) -> Vec3 {
     Vec3::new(unit(random), unit(random), unit(random))
 }
 
-/// Rays at corners, middles of edges and points near the mesh, from anywhere, along axes and off them, with and
-/// without ends. Rays that cannot be are left out.
+/// Returns rays at corners, midpoints of edges and points close to the mesh, from anywhere, along axes and off them,
+/// with and without ends. Invalid rays are omitted.
 fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     let mut random = Rng::new(seed);
     let corners = mesh.vertices();
@@ -27,7 +27,7 @@ fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
         let aim = [a, a * 0.5 + b * 0.5, any][i % 3];
         let mut origin = [corners[random.below(corners.len() as u64) as usize], any * 2.0 - aim, any][i / 3 % 3];
         if (i / 9).is_multiple_of(3) {
-            // Along an axis, or at zeros of either sign in one component.
+            // Along an axis, or with a zero component of either sign.
             let axis = random.below(3) as usize;
             let moved = origin[axis];
             origin = if random.coin() { aim.with_x(moved) } else { origin };
@@ -43,7 +43,7 @@ fn rays(mesh: &Mesh, seed: u64, n: usize) -> Vec<Ray> {
     (0..n).filter_map(ray).collect()
 }
 
-/// Every answer against the definition; returns how many rays hit and how many candidates there were.
+/// Compares every answer with the definition. Returns the numbers of hits and of candidates.
 fn compare(mesh: &Mesh, rays: &[Ray]) -> (usize, usize) {
     let truth = Truth::new(mesh);
     let (mut hits, mut candidates) = (0, 0);
@@ -58,7 +58,7 @@ fn compare(mesh: &Mesh, rays: &[Ray]) -> (usize, usize) {
     (hits, candidates)
 }
 
-/// The same, of a mesh on which many rays hit and most triangles can be left out.
+/// Compares like [`compare`], for a mesh with many hits and few candidates.
 fn compare_well(mesh: &Mesh, seed: u64) {
     let mut rays = rays(mesh, seed, 600);
     rays.extend(procedural::rays(mesh, seed, 200));
@@ -68,13 +68,13 @@ fn compare_well(mesh: &Mesh, seed: u64) {
     assert!(share < 0.25, "{share} of the triangles are tested");
 }
 
-/// The mesh with its corners changed; they must stay finite.
+/// Returns the mesh with changed corners, which must stay finite.
 fn changed(mesh: &Mesh, change: impl Fn(Vec3) -> Vec3) -> Mesh {
     let corners = mesh.vertices().iter().map(|corner| change(*corner)).collect();
     Mesh::new(corners, mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// A cube of `n` squares along an edge, with integer corners, two triangles a square.
+/// Returns a cube of `n` squares along an edge, with integer corners and two triangles per square.
 fn cube(n: i16) -> Mesh {
     let (mut corners, mut triangles) = (Vec::new(), Vec::new());
     for face in 0..6 {
@@ -122,14 +122,14 @@ fn nothing_that_is_hit_is_left_out() {
 fn nothing_that_is_hit_is_left_out_at_any_scale_and_offset() {
     for (seed, scale) in (10..).zip([1e30, 1e-30, 1e37, 1e-37, 1e-43]) {
         compare_well(&changed(&procedural::soup(seed, 200), |corner| corner * scale), seed);
-        // Rays between corners of the least numbers often have no direction; those that do hit well enough.
+        // Rays between corners with the least numbers often have no direction. The remaining rays have enough hits.
         compare_well(&changed(&cube(5), |corner| corner * scale), seed);
     }
     for (seed, offset) in (20..).zip([1e6, -1e6]) {
         compare_well(&changed(&cube(5), |corner| corner + offset), seed);
         compare_well(&changed(&procedural::soup(seed, 200), |corner| corner * 100.0 + offset), seed);
     }
-    // The margin hides the small sides of this one.
+    // The margin exceeds the small sides of this mesh.
     let flat = changed(&cube(5), |corner| corner * Vec3::new(1e20, 1.0, 1e-20));
     assert!(compare(&flat, &rays(&flat, 30, 600)).0 > 150);
     let flat = changed(&procedural::soup(31, 200), |corner| corner * Vec3::new(1.0, 0.0, 0.5));
@@ -164,8 +164,8 @@ fn nothing_that_is_hit_is_left_out_between_the_least_and_the_greatest_numbers() 
 
 #[test]
 fn without_the_margin_rounding_would_leave_out_a_hit() {
-    // 1 + 2^-53 is 321 times a number of 45 bits, which is the exact distance to the triangle's first corner. The sum
-    // rounds to 1, and a 321st of that is less than the distance to the other plane, which has no rounding at all.
+    // 1 + 2^-53 is 321 times a number of 45 bits, the exact distance to the first corner of the triangle. The sum
+    // rounds to 1. A 321st of 1 is less than the distance to the other plane, which involves no rounding.
     const WHOLE: u32 = 28_059_810_762_433_u64.div_euclid(1 << 22) as u32;
     const REST: u32 = 28_059_810_762_433_u64.rem_euclid(1 << 22) as u32;
     let unit = f32::powi(2.0, -53);
@@ -177,7 +177,7 @@ fn without_the_margin_rounding_would_leave_out_a_hit() {
     assert!(far < near);
 }
 
-/// However little: half a unit of the rounded distance, or many. [EXACT-1]
+/// Even for tiny differences: half an ulp of the rounded distance, or many ulps. [EXACT-1]
 #[test]
 fn the_nearer_triangle_comes_first_and_the_lower_one_of_equals() {
     for (least, is_apart) in [(0.0, false), (1e-40, false), (f32::EPSILON, true)] {
@@ -191,7 +191,7 @@ fn the_nearer_triangle_comes_first_and_the_lower_one_of_equals() {
     }
 }
 
-/// The closest hit, by either way.
+/// Returns the closest hit, by both methods.
 fn closest(mesh: &Mesh, ray: &Ray) -> Option<TrueHit> {
     compare(mesh, &[*ray]);
     brute_force(mesh, ray).into_iter().next()
@@ -199,7 +199,7 @@ fn closest(mesh: &Mesh, ray: &Ray) -> Option<TrueHit> {
 
 #[test]
 fn the_interval_is_compared_with_the_exact_distance() {
-    // The distance is a third; the nearest float is above it.
+    // The distance is 1/3, and the nearest float is above it.
     let mesh = mesh(&LEGS, &[[0, 1, 2]]);
     let third = 1.0f32 / 3.0;
     for (tmin, tmax, is_hit) in
@@ -237,7 +237,7 @@ fn all_triangles_at_a_corner_and_an_edge_are_hit_and_degenerate_ones_are_not() {
     assert_eq!(prims(&at(1.0, 1.0)), [0; 0]);
 }
 
-/// Double precision at its ends, where the conservative test must not skip, and where it should.
+/// Double precision at its limits: the conservative test must not skip hits, and should skip misses.
 #[test]
 fn nothing_that_is_hit_is_left_out_in_double_precision() {
     let soup = procedural::soup(50, 60);
@@ -265,7 +265,7 @@ fn nothing_that_is_hit_is_left_out_in_double_precision() {
                 }
             }
             assert!(hits * 5 > rays, "{hits} of {rays} at {scale}, {offset}");
-            // With this offset the margin is greater than the mesh.
+            // With this offset the margin exceeds the mesh.
             let skips = (1e-100..=1e100).contains(&scale) && offset < 1e9;
             assert!(!skips || candidates * 2 < usual * soup.triangles().len(), "{candidates} at {scale}, {offset}");
         }
@@ -283,7 +283,7 @@ fn a_difference_that_overflows_leaves_nothing_out() {
     assert!(Truth::new(&mesh).any(&ray));
 }
 
-/// Products that underflow say nothing, whatever they are multiplied with.
+/// Products that underflow decide nothing, for any other factor.
 #[test]
 fn what_underflows_leaves_nothing_out() {
     let mut random = Rng::new(50);
@@ -306,7 +306,7 @@ fn what_underflows_leaves_nothing_out() {
     assert!(hits > 100, "{hits}");
 }
 
-/// Both distances are rounded to 0; the nearer one is the second.
+/// Both distances round to 0, and the second triangle is nearer.
 #[test]
 fn distances_that_are_rounded_to_zero_are_in_order() {
     let [size, near, far] = [-50, -52, -51].map(|e| f32::powi(2.0, e));

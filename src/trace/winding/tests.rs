@@ -6,7 +6,7 @@ use crate::geom::Mesh;
 use crate::geom::lanes::Precision;
 use crate::trace::Tracer;
 
-/// The sum over all triangles.
+/// Returns the sum over all triangles.
 fn direct<V: Vector>(mesh: &Mesh<V>, point: V) -> f64 {
     let angle = |i| {
         let [a, b, c] = mesh.triangle(i).map(|v: V| v.widen() - point.widen());
@@ -22,7 +22,7 @@ fn in_precision<V: Vector>(mesh: &Mesh, moved: Vec3) -> Mesh<V> {
     Mesh::new(vertices, mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// Spheres with holes, with faces twice or turned, and loose triangles. [WINDING-1] [WINDING-2]
+/// Spheres with holes, with duplicate or reversed faces, and loose triangles. [WINDING-1] [WINDING-2]
 fn numbers_are_those_of_the_direct_sum<V: Precision>() {
     let (mut random, mut fractions, mut near, mut worst) = (Rng::new(2), 0, 0, 0.0_f64);
     let sphere = stress::icosphere(2, 1.0, Vec3::ZERO).expect("a mesh");
@@ -47,14 +47,14 @@ fn numbers_are_those_of_the_direct_sum<V: Precision>() {
         for i in 0..200 {
             let mut unit = || random.below(1 << 20) as f32 / (1 << 19) as f32 - 1.0;
             let point = V::from(Vec3::new(unit(), unit(), unit()) * 1.5);
-            // Straight below vertices, too: a direction along which an end of the border is seen is not taken.
+            // Also exactly below vertices: a direction toward an end of the border is not used.
             let below = mesh.vertices()[i % mesh.vertices().len()].widen() - DVec3::X * 0.25;
             let below = V::from_components([below.x, below.y, below.z].map(V::Real::rounded));
             for point in [point, below] {
                 let (number, expected) = (whole.number(point).expect("finite"), direct(&mesh, point));
                 let fast = winding.number(point).expect("finite");
                 assert!((fast - number).abs() < 1e-6, "{round} {point:?}: {fast}, {number}");
-                // The direct sum has a side of its own where the point is on a triangle, or nearly so.
+                // The direct sum is unreliable if the point is on a triangle or almost on it.
                 let is_near =
                     tracer.nearest(&crate::geom::Ball::new(point, V::Real::rounded(1e-3)).expect("a ball")).is_some();
                 near += usize::from(is_near);
@@ -82,8 +82,8 @@ fn numbers_are_those_of_the_direct_sum_in_double() {
     numbers_are_those_of_the_direct_sum::<DVec3>();
 }
 
-/// A cube without some of its triangles, from its middle: each takes up a twelfth of the view, and rays along the axes
-/// meet edges of the border. [WINDING-2]
+/// A cube without some of its triangles, from its middle. Each has a twelfth of the solid angle, and rays along the
+/// axes hit edges of the border. [WINDING-2]
 #[test]
 fn rays_through_the_border_are_not_taken() {
     let corners = (0..8).map(|i| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2 & 1)));
@@ -103,7 +103,7 @@ fn rays_through_the_border_are_not_taken() {
     }
 }
 
-/// A square, seen from points ever nearer to an edge of it: what it takes up of the view tends to the angle at the edge.
+/// A square, seen from points ever nearer to one of its edges. Its solid angle tends to the angle at the edge.
 /// [WINDING-2]
 #[test]
 fn numbers_are_right_near_the_border() {
@@ -113,7 +113,7 @@ fn numbers_are_right_near_the_border() {
     let winding = Winding::new(&tracer, &mesh, &boundary);
     for exponent in 1..60 {
         let by = 2f64.powi(-exponent);
-        // Above and below the plane; above the edge, inside of it and outside.
+        // Above and below the plane; above the edge, inside it and outside it.
         for (above, aside, limit) in [(by, 0.0, 0.25), (by, by, 0.375), (by, -by, 0.125), (by, by * 1e-3, 0.25)] {
             for side in [1.0, -1.0] {
                 let number = winding.number(DVec3::new(0.5, aside, side * above)).expect("finite");
@@ -125,7 +125,7 @@ fn numbers_are_right_near_the_border() {
     for huge in [1e300, -1e300, f64::MAX] {
         assert!(winding.number(DVec3::new(huge, 0.25, huge)).expect("finite").abs() < 1e-9);
     }
-    // Next to nothing away from an edge.
+    // Almost on an edge.
     assert!(winding.number(DVec3::new(1e-300, 0.25, 1e-300)).expect("finite").is_finite());
     assert!(winding.number(DVec3::new(f64::NAN, 0.0, 0.0)).is_err());
 }

@@ -8,7 +8,8 @@ use crate::order::{Flow, Side, Visitor};
 use crate::traverse::{Afra, HashOnly, Laine, Method, Sparse, Uncle, traverse};
 use crate::tree::{Keys, Linked, Recorded, Tree};
 
-/// A chain of `depth` inner nodes, 0, 2, 4 and so on, each with the leaf of the next number, turning every third time.
+/// Returns a chain of `depth` inner nodes 0, 2, 4 and so on. Each has the next index as a leaf, and the side changes at
+/// every third node.
 fn comb(depth: u32) -> Tree {
     let inner = |i: u32| if (i / 3).is_multiple_of(2) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
     let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
@@ -94,7 +95,7 @@ fn keys_are_put_together() {
     assert_eq!(whole, long);
 }
 
-/// At each visit: the node's key, and whether the state shows a trail, a register, a counter of as many bits, a
+/// At each visit: the node's key, and whether the state has a trail, a register, a counter of equal length, and a
 /// restart.
 #[derive(Default)]
 struct Shown(Vec<(Node, Option<Grow>, [bool; 4])>);
@@ -109,12 +110,12 @@ impl Recorder for Shown {
     }
 }
 
-/// Both children, the inner one first or last.
+/// Wants both children, the inner one first or last.
 struct Both(bool);
 
 impl Visitor for Both {
     fn inner(&mut self, node: Node) -> Descent {
-        // The comb turns every third time.
+        // The comb changes sides at every third node.
         let is_left = (node.index() / 6).is_multiple_of(2);
         Descent::both(if is_left == self.0 { Side::Left } else { Side::Right })
     }

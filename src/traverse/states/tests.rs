@@ -3,7 +3,7 @@ use crate::order::{Descent, Side};
 use crate::traverse::{Afra, Cursor, Incomplete, Pause, Uncle};
 use crate::tree::{Linked, Tree};
 
-/// Bytes with the register taken out, and a right checksum.
+/// Removes the register from a state's bytes and corrects the checksum.
 fn without_register(bytes: &[u8]) -> Vec<u8> {
     let mut bytes = bytes[..bytes.len() - CHECKSUM_BYTES].to_vec();
     bytes[5] &= !REGISTER;
@@ -12,7 +12,7 @@ fn without_register(bytes: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// Every bit of what comes before the state itself, with a checksum that is right; and every bit of that. [PAUSE-6]
+/// Every bit of the header, with a corrected checksum, and every bit of the checksum. [PAUSE-6]
 #[test]
 fn every_bit_of_a_header_and_of_a_checksum_counts() {
     let tree = Tree::new(&[Some([1, 2]), None, None]).unwrap();
@@ -53,13 +53,13 @@ fn a_postponed_sibling_is_in_the_bytes_of_a_traversal_without_a_register_too() {
     let read = states.from_bytes::<u32>(&bytes).unwrap();
     assert_eq!(read, Paused { register: Some(right), ..paused.clone() });
     assert_eq!(states.from_bytes::<u32>(&without_register(&bytes)), Err(StateError::Register));
-    // So any traversal goes on from there.
+    // Therefore any traversal can resume there.
     let mut uncle = Uncle::<u32, _>::new(&linked).unwrap();
     assert_eq!(uncle.take_up(paused), Err(Incomplete::Register));
     assert_eq!(uncle.take_up(read), Ok(()));
     assert_eq!((uncle.backtrack(), uncle.node()), (true, right));
 
-    // Below a single child nothing is postponed beside it, and what is further up is named by the records.
+    // An only child has no postponed sibling. Nodes further up are in the records.
     afra.descend(Descent::only(Side::Right));
     let paused = afra.put_aside(Next::Visit);
     let bytes = states.to_bytes(&paused);

@@ -4,7 +4,7 @@ use super::*;
 use crate::order::{Descent, Flow, Side, Visitor};
 use crate::tree::Tree;
 
-/// All leaves from the right.
+/// Visits all leaves from right to left.
 struct Leaves;
 
 impl Visitor for Leaves {
@@ -27,7 +27,7 @@ impl NodeTest for Leaves {
     }
 }
 
-/// A chain that leans to one side.
+/// Returns a chain that leans to one side.
 fn chain(depth: u32, right: bool) -> Tree {
     let inner = |i: u32| if right { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
     let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();

@@ -1,10 +1,10 @@
-//! Random rays and triangles, ordinary and awkward.
+//! Random rays and triangles, ordinary and difficult.
 
 use stackless_bvh::generate::{Rng, Source};
 
 use super::filter::Input;
 
-/// How inputs are drawn.
+/// Families of inputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Family {
     /// Uniform in a cube.
@@ -15,14 +15,14 @@ pub(crate) enum Family {
     Lattice,
     /// Aimed at a point of an edge or at a corner, so that an edge function cancels.
     Aimed,
-    /// Each number with an exponent of its own, and some zeros.
+    /// Numbers with independent exponents, and some zeros.
     Wild,
-    /// Powers of two apart: a tiny triangle near a tiny origin, or far from a great one.
+    /// Different scales: a tiny triangle near a tiny origin, or far from a large one.
     Scaled,
 }
 
 impl Family {
-    /// All of them.
+    /// All families.
     pub(crate) const ALL: [Self; 6] =
         [Self::Uniform, Self::Corner, Self::Lattice, Self::Aimed, Self::Wild, Self::Scaled];
 }
@@ -60,22 +60,22 @@ pub(crate) fn draw(rng: &mut Rng, family: Family, [low, high]: [i32; 2]) -> Inpu
     input
 }
 
-/// Zero, or of a random magnitude `2^low` to `2^high`.
+/// Draws zero, or a number of magnitude `2^low` to `2^high`.
 pub(crate) fn wild(rng: &mut Rng, [low, high]: [i32; 2]) -> f64 {
     if rng.below(12) == 0 { 0.0 } else { sign(rng) * (1.0 + unit(rng)) * power(rng, low, high - 1) }
 }
 
-/// 0 to 1.
+/// Draws a number from 0 to 1.
 pub(crate) fn unit(rng: &mut Rng) -> f64 {
     (rng.bits() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// A sign.
+/// Draws a sign.
 pub(crate) fn sign(rng: &mut Rng) -> f64 {
     if rng.coin() { -1.0 } else { 1.0 }
 }
 
-/// A power of two.
+/// Draws a power of two.
 pub(crate) fn power(rng: &mut Rng, low: i32, high: i32) -> f64 {
     2_f64.powi(low + rng.below((high - low + 1) as u64) as i32)
 }

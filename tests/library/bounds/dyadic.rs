@@ -1,4 +1,4 @@
-//! Exact numbers m 2^e: sums and products without rounding, and the correctly rounded quotient by its definition.
+//! Exact numbers m 2^e, with sums and products without rounding, and the correctly rounded quotient by its definition.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -21,7 +21,7 @@ impl Dyadic {
         Self { mantissa: self.mantissa.clone(), exponent: self.exponent + shift }
     }
 
-    /// -1, 0 or 1.
+    /// Returns -1, 0 or 1.
     pub(crate) fn sign(&self) -> i32 {
         match self.mantissa.sign() {
             _ if self.mantissa == IBig::ZERO => 0,
@@ -30,12 +30,12 @@ impl Dyadic {
         }
     }
 
-    /// Without its sign.
+    /// Returns the magnitude.
     pub(crate) fn abs(&self) -> Self {
         if self.sign() < 0 { -self } else { self.clone() }
     }
 
-    /// Both mantissas for the lesser of the exponents.
+    /// Returns both mantissas for the lesser exponent.
     fn aligned(&self, other: &Self) -> (IBig, IBig, i32) {
         let exponent = self.exponent.min(other.exponent);
         let mantissa = |x: &Self| &x.mantissa << (x.exponent - exponent) as usize;
@@ -44,7 +44,7 @@ impl Dyadic {
 }
 
 impl From<f64> for Dyadic {
-    /// Of a finite number.
+    /// Converts a finite number.
     fn from(x: f64) -> Self {
         assert!(x.is_finite());
         let (field, fraction) = ((x.to_bits() >> 52 & 0x7ff) as i32, x.to_bits() & ((1 << 52) - 1));
@@ -54,7 +54,7 @@ impl From<f64> for Dyadic {
 }
 
 impl From<f32> for Dyadic {
-    /// Of a finite number.
+    /// Converts a finite number.
     fn from(x: f32) -> Self {
         f64::from(x).into()
     }
@@ -113,11 +113,11 @@ impl Ord for Dyadic {
     }
 }
 
-/// A float, by its bits: those of numbers that are not negative have their order.
+/// A float by its bits. Non-negative numbers have the order of their bits.
 pub(crate) trait Float: Copy {
     /// The bits of the greatest finite number.
     const GREATEST: u64;
-    /// The number with these bits, as long as it is finite; one beyond `GREATEST`, its successor with more exponent.
+    /// Returns the finite number with these bits, or for one beyond `GREATEST` its successor with a larger exponent.
     fn value(bits: u64) -> Dyadic;
     /// The number with these bits.
     fn of_bits(bits: u64) -> Self;
@@ -147,7 +147,7 @@ impl Float for f64 {
     }
 }
 
-/// The float nearest to `dividend / divisor`, of two the even one; both at least 0, the divisor greater.
+/// Rounds `dividend / divisor` to the nearest float, ties to even. Both are at least 0, and the divisor is positive.
 pub(crate) fn nearest<T: Float>(dividend: &Dyadic, divisor: &Dyadic) -> T {
     assert!(dividend.sign() >= 0 && divisor.sign() > 0);
     // The greatest float that is not above the quotient.

@@ -12,7 +12,7 @@ use super::worst::{DOUBLE, MIXED, SINGLE};
 /// Origin, direction and the three corners.
 pub(crate) type Input<T> = [[T; 3]; 5];
 
-/// What the kernels compute with.
+/// The number type of a kernel.
 pub(crate) trait Real:
     Copy + PartialOrd + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Into<f64>
 {
@@ -20,7 +20,7 @@ pub(crate) trait Real:
     const U: Self;
     /// Zero.
     const ZERO: Self;
-    /// Of a small constant.
+    /// Converts a small constant.
     fn of(constant: f32) -> Self;
     /// The magnitude.
     fn magnitude(self) -> Self;
@@ -63,7 +63,7 @@ pub(crate) struct Rounded<T> {
     pub(crate) sizes: [T; 3],
 }
 
-/// The kernel, in the order of operations that the bounds are for.
+/// Evaluates the kernel in the order of operations that the bounds assume.
 pub(crate) fn rounded<T: Real>([o, d, v0, v1, v2]: Input<T>) -> Rounded<T> {
     let sub = |a: [T; 3], b: [T; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let dot = |a: [T; 3], b: [T; 3]| (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
@@ -78,7 +78,7 @@ pub(crate) fn rounded<T: Real>([o, d, v0, v1, v2]: Input<T>) -> Rounded<T> {
 }
 
 impl<T: Real> Rounded<T> {
-    /// The bounds as they are evaluated, with `scale` times each constant.
+    /// Evaluates the bounds, with `scale` times each constant.
     pub(crate) fn bounds(&self, scale: f32) -> [T; 5] {
         let [c, e, d] = self.sizes;
         let k = |constant: f32| T::of(constant * scale) * T::U;
@@ -94,7 +94,7 @@ impl<T: Real> Rounded<T> {
     }
 }
 
-/// The true values, in the order of [`NAMES`].
+/// Returns the exact values, in the order of [`NAMES`].
 pub(crate) fn exact<T: Real>(input: Input<T>) -> [Dyadic; 5] {
     let [o, d, v0, v1, v2] = input.map(|a| a.map(|x| Dyadic::from(x.into())));
     polynomials(&o, &d, &v0, &v1, &v2)
@@ -127,7 +127,7 @@ fn error<T: Real>(value: T, truth: &Dyadic) -> Dyadic {
     (&Dyadic::from(value.into()) - truth).abs()
 }
 
-/// The greatest of `|error| / bound` for each value, once it has been seen that none exceeds 1.
+/// Updates the greatest `|error| / bound` of each value, and checks that none exceeds 1.
 fn check<T: Real>(input: Input<T>, worst: &mut [f64; 5]) {
     let (rounded, exact) = (rounded(input), exact(input));
     for (k, bound) in rounded.bounds(1.0).into_iter().enumerate() {
@@ -140,12 +140,12 @@ fn check<T: Real>(input: Input<T>, worst: &mut [f64; 5]) {
     }
 }
 
-/// `error / bound`, to three digits.
+/// Returns `error / bound`, to three digits.
 fn share(error: &Dyadic, bound: &Dyadic) -> f64 {
     nearest::<f64>(error, bound)
 }
 
-/// The bounds hold for these inputs, one for each value, and 5/6 of them would not.
+/// Checks that the bounds hold for these inputs, one for each value, and that 5/6 of them would not.
 fn nearly_reaches<T: Real>(inputs: [Input<T>; 5]) {
     for (k, input) in inputs.into_iter().enumerate() {
         check(input, &mut [0.0; 5]);
@@ -162,7 +162,7 @@ fn five_sixths_of_any_constant_is_too_little() {
     nearly_reaches(MIXED.map(|input| input.map(|a| a.map(|bits| f64::from(f32::from_bits(bits))))));
 }
 
-/// The common bound of the edge functions is that of W; it must cover U and V wherever their own bounds do.
+/// The common bound of the edge functions is that of W. It must cover U and V where their own bounds do.
 #[test]
 fn the_common_bound_covers_each_edge_function() {
     for input in SINGLE.map(|input| input.map(|a| a.map(f32::from_bits))) {
@@ -172,8 +172,8 @@ fn the_common_bound_covers_each_edge_function() {
     }
 }
 
-/// The bound by which triangles are missed or hit covers an edge function and the determinant together. (Of an input
-/// that refutes half of it: spec/exactness.md, at the end.)
+/// The bound for sign decisions covers an edge function and the determinant together. (The end of spec/exactness.md has
+/// an input that refutes half of it.)
 #[test]
 fn the_bound_of_signs_covers_an_edge_function_and_the_determinant() {
     for input in MIXED.map(|input| input.map(|a| a.map(|bits| f64::from(f32::from_bits(bits))))) {
@@ -200,18 +200,18 @@ fn no_bound_of_the_second_stage_is_exceeded() {
             }
         }
     }
-    // The cases are hard: even at random, errors come as near as this.
+    // The cases are difficult: even random ones have errors this close to the bounds.
     assert!(worst.iter().all(|&share| share > 0.2), "{worst:?}");
 }
 
-/// An input for the first stage, by what power of two its direction has been scaled, and the floor of E.
+/// An input for the first stage, the power of two that scales its direction, and the floor of E.
 struct Prepared {
     input: Input<f32>,
     shift: i32,
     floor: f32,
 }
 
-/// Both forms of the first stage, where they take the input: direction scaled to 1 <= D < 2, and as it is.
+/// Prepares both forms of the first stage for supported inputs: with the direction scaled to 1 <= D < 2, and unscaled.
 fn prepared(input: Input<f32>) -> Vec<Prepared> {
     let greatest = input[1].iter().fold(0.0_f32, |a, b| a.max(b.abs()));
     let in_reach = [0, 2, 3, 4].iter().all(|&row| input[row].iter().all(|x| x.abs() <= REACH));
@@ -228,7 +228,7 @@ fn prepared(input: Input<f32>) -> Vec<Prepared> {
     forms
 }
 
-/// How often something happened.
+/// Counts of outcomes.
 #[derive(Debug, Default)]
 struct Counts {
     seen: u32,
@@ -237,7 +237,7 @@ struct Counts {
     underflows: u32,
 }
 
-/// The common bound and the decision for one input; the greatest share of the bound that an error takes.
+/// Checks the common bound and the decision for one input. Returns the greatest error as a fraction of the bound.
 fn judge(prepared: &Prepared, truth: &[Dyadic; 5], counts: &mut Counts) -> f64 {
     let Prepared { input, shift, floor } = *prepared;
     let rounded = rounded(input);
@@ -260,7 +260,7 @@ fn judge(prepared: &Prepared, truth: &[Dyadic; 5], counts: &mut Counts) -> f64 {
     worst
 }
 
-/// The common bound in single precision, underflow and the scaling of the direction included; and the decision.
+/// The common bound in single precision, including underflow and the scaling of the direction, and the decision.
 /// [EXACT-5]
 #[test]
 fn no_bound_of_the_first_stage_is_exceeded() {
@@ -280,7 +280,7 @@ fn no_bound_of_the_first_stage_is_exceeded() {
     assert!(worst > 0.2, "{worst}");
 }
 
-/// Nothing of the second stage under- or overflows for inputs in single precision, finite ones of any size [EXACT-6].
+/// The second stage neither overflows nor underflows for finite inputs in single precision of any magnitude [EXACT-6].
 #[test]
 fn the_second_stage_stays_in_range() {
     let extremes = [0.0, 1e-45, 3e-45, f32::MIN_POSITIVE, 1.0, 1.000_000_1, 3e38, f32::MAX];

@@ -2,7 +2,7 @@
 
 type Point = [i64; 3];
 
-/// What becomes of an edge function that is zero.
+/// The treatment of an edge function of value zero.
 #[derive(Clone, Copy, PartialEq)]
 enum Rule {
     /// The hit counts.
@@ -25,7 +25,7 @@ fn dot(a: Point, b: Point) -> i64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The sign of the edge function of `a` to `b`.
+/// Returns the sign of the edge function from `a` to `b`.
 fn side(o: Point, d: Point, a: Point, b: Point, rule: Rule) -> i64 {
     let exact = dot(d, cross(sub(a, o), sub(b, o))).signum();
     if exact != 0 || rule != Rule::HalfOpen {
@@ -34,7 +34,7 @@ fn side(o: Point, d: Point, a: Point, b: Point, rule: Rule) -> i64 {
     cross(sub(a, b), d).into_iter().find(|&x| x != 0).unwrap_or(0).signum()
 }
 
-/// Whether the half-line from `o` crosses the triangle.
+/// Returns whether the half-line from `o` crosses the triangle.
 fn crosses(o: Point, d: Point, [a, b, c]: [Point; 3], rule: Rule) -> bool {
     let normal = cross(sub(b, a), sub(c, a));
     let (det, t) = (dot(d, normal), dot(sub(a, o), normal));
@@ -48,7 +48,7 @@ fn crosses(o: Point, d: Point, [a, b, c]: [Point; 3], rule: Rule) -> bool {
     }
 }
 
-/// The cube of half edge 4 with faces of 8 triangles about the middle, or an octahedron, or a tetrahedron.
+/// Returns the cube of half edge 4 with faces of 8 triangles around the middle, an octahedron, and a tetrahedron.
 fn meshes() -> [Vec<[Point; 3]>; 3] {
     let (mut cube, mut octahedron) = (Vec::new(), Vec::new());
     for (axis, side) in (0..3).flat_map(|axis| [(axis, 1), (axis, -1)]) {
@@ -69,8 +69,8 @@ fn meshes() -> [Vec<[Point; 3]>; 3] {
     [cube, octahedron, tetrahedron]
 }
 
-/// Rays from every integer point near, in every integer direction: most meet an edge or a vertex or graze a face.
-/// Returns how many rays count an even number of crossings though they start inside, or an odd one from outside.
+/// Traces rays from all close integer points in all integer directions. Most hit an edge or a vertex or graze a face.
+/// Returns the number of rays with an even number of crossings from inside, or an odd number from outside.
 fn wrong(rule: Rule) -> usize {
     let range = |reach: i64| {
         (-reach..=reach).flat_map(move |x| (-reach..=reach).flat_map(move |y| (-reach..=reach).map(move |z| [x, y, z])))

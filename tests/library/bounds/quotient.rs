@@ -1,4 +1,4 @@
-//! The interval of the quotient T / det, and when its ends decide the rounded distance [EXACT-9].
+//! The interval of the quotient T / det, and when its ends determine the rounded distance [EXACT-9].
 
 use stackless_bvh::generate::{Rng, Source};
 
@@ -9,7 +9,7 @@ use super::filter::{exact, rounded};
 
 const U: f64 = f64::EPSILON / 2.0;
 
-/// Bounds of the true quotient; `None` where the determinant is not as great as the derivation wants it.
+/// Returns bounds of the exact quotient; `None` if the determinant is smaller than the derivation requires.
 fn ends([t, det]: [f64; 2], [dt, ddet]: [f64; 2], factor: f64, roundings: f64) -> Option<[f64; 2]> {
     let reciprocal = 1.0 / det;
     let q = t * reciprocal;
@@ -17,12 +17,12 @@ fn ends([t, det]: [f64; 2], [dt, ddet]: [f64; 2], factor: f64, roundings: f64) -
     (det.abs() >= 7.5 * ddet).then_some([q - error, q + error])
 }
 
-/// Whether `t / det`, both positive, is between the ends.
+/// Returns whether `t / det`, both positive, is between the ends.
 fn holds([low, high]: [f64; 2], t: &Dyadic, det: &Dyadic) -> bool {
     &Dyadic::from(low) * det <= *t && *t <= &Dyadic::from(high) * det
 }
 
-/// How many of the four extreme quotients, over many cases, are outside.
+/// Counts how many of the four extreme quotients, over many cases, are outside.
 fn escapes(factor: f64, roundings: f64) -> u32 {
     let mut rng = Rng::new(4);
     let mut count = 0;
@@ -62,7 +62,7 @@ fn ends_that_round_alike_give_the_nearest_float() {
             let Some(mut ends) = ends([rounded_t, rounded_det], [dt, ddet], QUOTIENT, QUOTIENT_ROUNDINGS) else {
                 continue;
             };
-            // For a negative quotient everything is mirrored.
+            // For a negative quotient the interval is mirrored.
             if t.sign() * det.sign() < 0 {
                 ends = [-ends[1], -ends[0]];
             }
@@ -84,7 +84,7 @@ fn ends_that_round_alike_give_the_nearest_float() {
     assert!(decided > 10_000 && open > 0 && beyond > 10, "{decided} {open} {beyond}");
 }
 
-/// Why the determinant must be great: at less than 5 times its error, the factor does not make up for it.
+/// The determinant must be large: below 5 times its error, the factor is insufficient.
 #[test]
 fn a_small_determinant_must_not_decide() {
     let (values, errors) = ([1.0, 1.0], [0.0, 0.25]);
@@ -93,7 +93,7 @@ fn a_small_determinant_must_not_decide() {
     assert!(high < values[0] / (values[1] - errors[1]));
 }
 
-/// A quotient at the middle between two floats rounds to the even one, and only an exact sign can tell.
+/// A quotient at the midpoint between two floats rounds to even, and only an exact sign decides.
 #[test]
 fn middles_are_left_open() {
     let mut rng = Rng::new(6);

@@ -1,4 +1,4 @@
-//! Slab tests against the exact slab: where boxes are entered and left [BOX-2] to [BOX-7].
+//! Comparison of slab tests with the exact slab: where boxes are entered and left [BOX-2] to [BOX-7].
 
 use std::cmp::Ordering;
 
@@ -18,20 +18,20 @@ type Fraction = (Dyadic, Dyadic);
 macro_rules! directed {
     ($name:ident, $float:ty) => {
         mod $name {
-            /// The reciprocal for near planes and that for far planes.
+            /// Returns the reciprocals for near planes and for far planes.
             pub(crate) fn inverse(d: $float, steps: u32) -> [$float; 2] {
-                // Of a zero: infinity, and a step below that the greatest number.
+                // For zero, infinity and, a step below, the greatest number.
                 let middle = 1.0 / d.abs();
                 let [low, high] = (0..steps).fold([middle; 2], |[low, high], _| [low.next_down(), high.next_up()]);
                 [low.copysign(d), high.copysign(d)]
             }
 
-            /// Where a plane is met.
+            /// Returns the distance of a plane.
             pub(crate) fn plane(b: $float, o: $float, inverse: $float) -> $float {
                 (b - o) * inverse
             }
 
-            /// Where a box is entered and left, between `tmin` and `tmax`.
+            /// Returns where a box is entered and left, between `tmin` and `tmax`.
             pub(crate) fn slab(
                 [o, d, lo, hi]: super::Case<$float>,
                 [tmin, tmax]: [$float; 2],
@@ -58,7 +58,7 @@ directed!(double, f64);
 /// The two-sided test.
 fn two_sided([o, d, lo, hi]: Case<f32>, [mut near, mut far]: [f32; 2], [down, up]: [f32; 2]) -> [f32; 2] {
     for k in 0..3 {
-        // An infinite reciprocal is positive, whatever the sign of the zero.
+        // An infinite reciprocal is positive for both signs of zero.
         let inverse = Some(1.0 / d[k]).filter(|x| x.is_finite()).unwrap_or(f32::INFINITY);
         let (t1, t2) = ((lo[k] - o[k]) * inverse, (hi[k] - o[k]) * inverse);
         let (enter, leave) = (if t2 < t1 { t2 } else { t1 }, if t1 > t2 { t1 } else { t2 });
@@ -72,7 +72,7 @@ fn less((a, b): &Fraction, (c, d): &Fraction) -> bool {
     a * d < c * b
 }
 
-/// Where the half-line enters and leaves the box; `None` if it misses.
+/// Returns where the half-line enters and leaves the box; `None` for a miss.
 fn exact<T: Copy + Into<Dyadic>>(case: Case<T>) -> Option<[Fraction; 2]> {
     let [o, d, lo, hi] = case.map(|row| row.map(Into::<Dyadic>::into));
     let mut near = (Dyadic::ZERO, Dyadic::from(1.0));
@@ -91,14 +91,14 @@ fn exact<T: Copy + Into<Dyadic>>(case: Case<T>) -> Option<[Fraction; 2]> {
     far.filter(|far| !less(far, &near)).map(|far| [near, far])
 }
 
-/// Rays and boxes that touch often: the box has a corner on the ray, as nearly as rounding allows, and the ray may be
-/// parallel to an axis or start on a plane.
+/// Draws rays and boxes that often touch: the box has a corner on the ray, as closely as rounding allows, and the ray
+/// may be parallel to an axis or start on a plane.
 fn draw(rng: &mut Rng, range: [i32; 2]) -> Case<f32> {
     let integers = rng.coin();
     let number = |rng: &mut Rng| if integers { rng.below(2048) as f64 - 1024.0 } else { wild(rng, range) };
     let [mut o, mut d, mut lo, mut hi] = [(); 4].map(|()| [(); 3].map(|()| number(rng)));
     if integers {
-        // Corners that are met exactly.
+        // Corners that are hit exactly.
         let t = rng.below(1000) as f64;
         let scale = power(rng, range[0].max(-120), (range[1] - 25).min(80));
         let corner: [f64; 3] = std::array::from_fn(|k| o[k] + t * d[k]);
@@ -123,7 +123,7 @@ fn draw(rng: &mut Rng, range: [i32; 2]) -> Case<f32> {
     [o, d, lo, hi].map(|row| row.map(|x| x as f32))
 }
 
-/// Whether the clause speaks of it: finite, the coordinates below 2^127, and a direction.
+/// Returns whether the clause applies: finite, coordinates below 2^127, and a direction.
 fn is_valid([o, d, lo, hi]: &Case<f32>) -> bool {
     let below = |row: &[f32; 3], limit: f32| row.iter().all(|x| x.abs() < limit);
     [o, lo, hi].into_iter().all(|row| below(row, 2_f32.powi(127))) && below(d, f32::INFINITY) && *d != [0.0; 3]
@@ -141,7 +141,7 @@ fn no_touched_box_is_skipped() {
         let [rounded_enter, rounded_leave]: [f32; 2] = [&enter, &leave].map(|(a, b)| nearest(a, b));
         let [near, far] = single::slab(case, [0.0, f32::INFINITY], STEPS);
         assert!(near <= rounded_enter && rounded_leave <= far, "{case:?}");
-        // The interval of the ray may end where the box begins, and begin where it ends.
+        // The interval of the ray may end at the entry of the box, and begin at its exit.
         let [near, far] = single::slab(case, [0.0, rounded_enter], STEPS);
         assert!(near <= far, "{case:?}");
         if rounded_leave.is_finite() {
@@ -159,7 +159,8 @@ fn no_touched_box_is_skipped() {
     assert!(touched > CASES / 4 && points > CASES / 100, "{touched} {points}");
 }
 
-/// What is false of an axis: the rounded entry is above the exact one, or above its nearest float; the same for exits.
+/// Returns the violations on an axis: the rounded entry is above the exact one, or above its nearest float, and for
+/// exits reversed.
 fn faults(o: f32, d: f32, b: f32, steps: u32) -> [bool; 4] {
     let [slow, fast] = single::inverse(d, steps);
     let [near, far] = [slow, fast].map(|inverse| single::plane(b, o, inverse));
@@ -171,7 +172,8 @@ fn faults(o: f32, d: f32, b: f32, steps: u32) -> [bool; 4] {
     [near_is_above, near > rounded, side(far).is_lt(), far < rounded]
 }
 
-/// A plane ahead with a difference just above a power of two, and a reciprocal just below one: these round worst.
+/// Draws a plane ahead with a difference just above a power of two, and a reciprocal just below one, which have the
+/// greatest rounding errors.
 fn hard_plane(rng: &mut Rng) -> [f32; 3] {
     let d = 0.5 * (1.0 + unit(rng) * power(rng, -11, -2));
     let b = (2.0 * unit(rng) - 1.0) * power(rng, -7, 0);
@@ -203,7 +205,7 @@ fn one_step_less_is_too_little() {
     assert_eq!(count_faults(STRICT_STEPS), [0; 4]);
 }
 
-/// With one step less this box, touched at an edge, is skipped. [BOX-4]
+/// With one step fewer, this box is skipped although the ray touches it at an edge. [BOX-4]
 #[test]
 fn a_touched_box_needs_both_steps() {
     let bits = [[0xbf80_9c14, 0xbf8c_d7c2], [0x3f00_5797, 0x3f0d_173c], [0xbb93_066e, 0xba36_e47f]];
@@ -269,8 +271,8 @@ fn a_box_within_is_not_entered_before() {
     assert!(inside > 4 * CASES && equal > CASES / 10, "{inside} {equal}");
 }
 
-/// What the two-sided test needs: coordinates to 2^126, a direction between 1 and 2 with no subnormal component, and
-/// planes at the origin or at least 2^-125 away.
+/// Returns whether the two-sided test applies: coordinates up to 2^126, a direction between 1 and 2 with no subnormal
+/// component, and planes at the origin or at least 2^-125 away.
 fn is_two_sided([o, d, lo, hi]: &Case<f32>) -> bool {
     let greatest = d.iter().fold(0.0_f32, |a, x| a.max(x.abs()));
     let is_far = |b: f32, o: f32| b == o || (f64::from(b) - f64::from(o)).abs() >= 2_f64.powi(-125);
@@ -299,8 +301,8 @@ fn no_touched_box_is_skipped_by_the_two_sided_test() {
     assert!(touched > CASES / 10, "{touched}");
 }
 
-/// Factors nearer to 1, even by less than half, let an entry rise above the nearest float of the true one, or an exit
-/// fall below. [BOX-5]
+/// With factors closer to 1, even by less than half, an entry may be above the nearest float of the exact one, or an
+/// exit below. [BOX-5]
 #[test]
 fn factors_halved_are_too_little() {
     let along_x = |bits: [u32; 3]| {
@@ -316,7 +318,7 @@ fn factors_halved_are_too_little() {
     assert!(Some(two_sided(case, interval, [DOWN, 1.0 + f32::EPSILON])[1]) < truth(case));
 }
 
-/// Meshes and rays in double precision: the same steps, the nearest number of that precision. [BOX-6]
+/// Meshes and rays in double precision, with equal steps, and the nearest number of that precision. [BOX-6]
 #[test]
 fn no_touched_box_is_skipped_in_double_precision() {
     let mut rng = Rng::new(15);

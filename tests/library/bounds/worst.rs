@@ -1,5 +1,5 @@
-//! Inputs whose errors come near the bounds, found by a hill climb over bits from corners of Hadamard's determinant
-//! bound; one each for U, V, W, det and T. Rows: origin, direction, three corners.
+//! Inputs with errors close to the bounds, found by hill climbing over bits from corners of Hadamard's determinant
+//! bound, one each for U, V, W, det and T. Rows: origin, direction, three corners.
 
 use super::filter::Input;
 

@@ -1,5 +1,4 @@
-//! Algorithm 2 of Barringer & Akenine-Möller 2013 over words of 8 bits, with what is left open in it as one would read
-//! it.
+//! Algorithm 2 of Barringer & Akenine-Möller 2013 in 8-bit words, with natural readings of its unspecified parts.
 
 use stackless_bvh::generate::Tape;
 use stackless_bvh::order::Descent;
@@ -9,9 +8,9 @@ use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 /// A reading of Algorithm 2 of Barringer & Akenine-Möller 2013.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reading {
-    /// The mask's bit is set for "right child first" and toggled where one child is rejected.
+    /// The mask's bit is set for "right child first" and toggled if one child is rejected.
     MaskOfRejected,
-    /// Start and index of the level in one word.
+    /// Start and index of the level are in one word.
     Combined,
     /// A tree of any depth.
     AnyDepth,
@@ -63,13 +62,13 @@ impl Cursor for Implicit<'_> {
     fn backtrack(&mut self) -> bool {
         self.level_index = self.level_index.wrapping_add(1);
         let up = self.level_index.trailing_zeros();
-        // As processors shift: by the lowest bits of the number.
+        // Like processors, shifts by the lowest bits of the number.
         self.level_start = self.level_start.wrapping_shr(up);
         self.level_index = self.level_index.wrapping_shr(up);
         self.swap_mask = self.swap_mask.wrapping_shr(up);
         let is_done = match self.reading {
             Reading::Combined => self.level_index == 1,
-            // It never is 1 again once it has left the word: then, at 0, nothing can be addressed any more.
+            // It is never 1 again once it has left the word. At 0 no address can be computed.
             _ => self.level_start <= 1,
         };
         if !is_done {

@@ -7,7 +7,7 @@ use stackless_bvh::order::{Descent, Side};
 use stackless_bvh::traverse::Cursor;
 use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree, Uncles};
 
-/// What is printed, or is left open and read wrongly.
+/// Printed errors, and wrong readings of unspecified parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Slip {
     /// `closest` is computed from missed boxes too.
@@ -18,16 +18,16 @@ pub(super) enum Slip {
     DoneIsMinusOne,
     /// A tree of any depth, in words of 8 bits.
     AnyDepth,
-    /// The second trail of Section 2.3 is taken for what its name says.
+    /// The second trail of Section 2.3 is read as its name suggests.
     MaskInverted,
     /// The register is filled from the leaf's record before the mask is applied.
     FillBeforeMask,
-    /// Before each step the search is put aside and taken up by key and trail alone, as in Section 2.4. The register is
-    /// then filled though the sibling is postponed, which comes before the uncle.
+    /// The search is paused before each step and resumed from key and trail alone, as in Section 2.4. The register is
+    /// then filled although the sibling is postponed, which comes before the uncle.
     NoGuard,
 }
 
-/// Key, trail, mask, register and address of one node. `PRUNES`: it has the mask.
+/// Key, trail, mask, register and address of one node. With `PRUNES`, it uses the mask.
 pub(super) struct Machine<'t, const PRUNES: bool> {
     tree: &'t Tree,
     tape: &'t Tape,
@@ -72,7 +72,7 @@ impl<'t, const PRUNES: bool> Machine<'t, PRUNES> {
         }
     }
 
-    /// The node of the key; the root where the table does not have it.
+    /// Returns the node of the key, or the root if the table lacks it.
     fn look_up(&self) -> Node {
         let found = Keys::walk(self.tree, &self.key).filter(|&node| self.known[self.tree.slot(node)]);
         let found = found.unwrap_or(self.tree.root());
@@ -82,11 +82,11 @@ impl<'t, const PRUNES: bool> Machine<'t, PRUNES> {
         let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::PrintedHashed };
         let is_direct = PerfectHash::build(self.tree, options).is_ok_and(|table| table.is_direct(&self.key));
         match (is_direct, found.is_leaf()) {
-            // d < 0 and an inner node: as meant.
+            // d < 0 and an inner node: as intended.
             (true, false) => found,
-            // d < 0 and a leaf: on to the other table, with the leaf for a displacement.
+            // d < 0 and a leaf: continues with the other table, with the leaf as a displacement.
             (true, true) => self.tree.root(),
-            // Not direct: nothing is done, and the address stays what it was.
+            // Not direct: nothing happens, and the address does not change.
             (false, _) => self.node,
         }
     }

@@ -17,7 +17,7 @@ use stackless_check::{CaseOptions, Pieces, Plan, SceneTree, check_scene};
 
 use super::FOR_ANY_DEPTH;
 
-/// A mesh of so many triangles, with a hierarchy that is a chain.
+/// Returns a mesh, with a hierarchy that is a chain.
 fn chain(layers: usize) -> (Mesh, Bvh) {
     let mesh = procedural::layers(layers);
     let bvh = Bvh::sah(&mesh, SahOptions { depth_limit: u32::MAX, ..SahOptions::default() }).unwrap();
@@ -29,7 +29,7 @@ fn deep() -> (Mesh, Bvh) {
     chain(256)
 }
 
-/// Rays of all kinds, and some through the whole chain, to and from its end, and past it.
+/// Returns rays of all kinds, and some through the whole chain, to and from its end, and past it.
 fn rays(mesh: &Mesh) -> Vec<Ray> {
     let mut rays = procedural::rays(mesh, 1, 160);
     let wide = 65_536.0;
@@ -74,7 +74,7 @@ fn all_traversals_find_the_truth_in_the_words_that_carry_it() {
             let count = tally.get(method, word);
             let is_wide = !method.has_words() || word as u8 >= narrowest as u8;
             let carried = is_wide && method != Method::Complete;
-            // What prunes is not for any-hit rays.
+            // Pruning traversals do not support any-hit rays.
             let refused = if method == method.without_pruning() { 0 } else { all / 2 };
             let expected = if carried { (all - refused, refused) } else { (0, all) };
             assert_eq!((count.agree, count.refused), expected, "{method} {word}");
@@ -158,7 +158,7 @@ fn links_in_records_serve_all_pieces() {
     }
 }
 
-/// How deep a search gets, and how far it goes back at once.
+/// The depth of a search, and its longest backtrack.
 struct Reach<'a> {
     bvh: &'a Bvh,
     keys: Keys,

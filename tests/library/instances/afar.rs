@@ -1,4 +1,4 @@
-//! Rays from afar into instances: they test as few triangles as others do, wherever they begin. `[INST-7]`
+//! Rays from far away into instances test no more triangles than other rays, from any origin. `[INST-7]`
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::Builder;
@@ -12,7 +12,8 @@ use stackless_check::{InstanceOracle, check_answer};
 use super::scenes::{Kind, Scene, narrow, placed};
 use super::{assembly, hierarchies, wide};
 
-/// Through the unit ball or beside it, from so far away: along an axis, through the middle, or as directions are rounded.
+/// Draws rays through the unit ball or past it, from this distance: along an axis, through the middle, or in rounded
+/// directions.
 fn rays<V: Vector>(draw: &mut Draw, far: f64) -> Vec<Ray<V>> {
     let mut rays = Vec::new();
     for _ in 0..3 {

@@ -1,4 +1,4 @@
-//! Small scenes of instances, in which much goes wrong that can.
+//! Small scenes of instances with all typical difficulties.
 
 use glam::{DMat3, DVec3, Vec3};
 use stackless_bvh::generate::{Rng, Source, procedural};
@@ -6,7 +6,7 @@ use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{AffineMap, Mesh, Real, Vector};
 use stackless_check::Shape;
 
-/// Single or double precision, and how small and great its scenes are.
+/// Single or double precision, with the scales of its scenes.
 pub(crate) trait Kind: Precision {
     const TINY: f64;
     const LEAST: f64;
@@ -34,7 +34,7 @@ pub(crate) struct Scene<V: Vector> {
     pub(crate) shapes: Vec<Shape<V>>,
 }
 
-/// A mesh that these maps place one in another, the innermost first.
+/// Returns a mesh nested in these transforms, the innermost first.
 pub(crate) fn placed<V: Vector>(mesh: Mesh<V>, maps: &[[[f64; 4]; 3]]) -> Vec<Shape<V>> {
     let map = |rows: &[[f64; 4]; 3]| AffineMap::new(rows.map(|row| row.map(V::Real::rounded))).expect("an inverse");
     let groups = maps.iter().enumerate().map(|(below, rows)| Shape::Group(vec![(below, map(rows))]));
@@ -43,7 +43,7 @@ pub(crate) fn placed<V: Vector>(mesh: Mesh<V>, maps: &[[[f64; 4]; 3]]) -> Vec<Sh
 
 type Maker<V> = fn(&mut Rng) -> Vec<Shape<V>>;
 
-/// All scenes, in three variants each.
+/// Returns all scenes, in three variants each.
 pub(crate) fn all<V: Kind>() -> Vec<Scene<V>> {
     let makers: [(&str, Maker<V>); 15] = [
         ("lattice", |rng| one_group(rng, 6, lattice)),
@@ -71,17 +71,17 @@ pub(crate) fn all<V: Kind>() -> Vec<Scene<V>> {
     scenes.collect()
 }
 
-/// From -1 to 1.
+/// Draws a number from -1 to 1.
 pub(crate) fn unit(rng: &mut Rng) -> f64 {
     rng.below(1 << 53) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
-/// Components from -1 to 1.
+/// Draws a vector with components from -1 to 1.
 pub(crate) fn vector(rng: &mut Rng) -> DVec3 {
     DVec3::new(unit(rng), unit(rng), unit(rng))
 }
 
-/// Rounded.
+/// Rounds a vector.
 pub(crate) fn narrow<V: Vector>(v: DVec3) -> V {
     V::from_components(v.to_array().map(V::Real::rounded))
 }
@@ -90,14 +90,14 @@ fn mesh<V: Vector>(vertices: impl IntoIterator<Item = DVec3>, triangles: Vec<[u3
     Mesh::new(vertices.into_iter().map(narrow).collect(), triangles).expect("a mesh")
 }
 
-/// A closed solid with its corners on the lattice.
+/// Returns a closed solid with its corners on the lattice.
 fn octahedron<V: Vector>() -> Mesh<V> {
     let corners = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
     let triangles = (0..8).map(|i: u32| [i & 1, 2 + (i >> 1 & 1), 4 + (i >> 2)]).collect();
     mesh(corners, triangles)
 }
 
-/// A box with faces across the axes, and one triangle without area.
+/// Returns a box with faces across the axes, and one triangle without area.
 fn cuboid<V: Vector>() -> Mesh<V> {
     let corner = |i: u8| DVec3::new(f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)) * 2.0 - 1.0;
     let quads = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
@@ -106,7 +106,7 @@ fn cuboid<V: Vector>() -> Mesh<V> {
     mesh((0..8).map(corner), triangles)
 }
 
-/// With numbers of all digits.
+/// Returns a soup with numbers of all digits.
 fn soup<V: Vector>() -> Mesh<V> {
     let soup = procedural::soup(5, 6);
     mesh(soup.vertices().iter().map(|v| v.widen() * 1.1), soup.triangles().to_vec())
@@ -123,7 +123,7 @@ fn one_group<V: Vector>(rng: &mut Rng, n: usize, place: impl Fn(&mut Rng) -> Aff
     shapes
 }
 
-/// Meshes beside groups of meshes beside groups of those.
+/// Returns meshes next to groups of meshes next to groups of groups.
 fn nested<V: Vector>(rng: &mut Rng, place: impl Fn(&mut Rng) -> AffineMap<V::Real>) -> Vec<Shape<V>> {
     let mut shapes = meshes();
     for n in [3, 2, 3] {
@@ -135,7 +135,7 @@ fn nested<V: Vector>(rng: &mut Rng, place: impl Fn(&mut Rng) -> AffineMap<V::Rea
     shapes
 }
 
-/// The same things in the same places, also by way of a group, and mirrored onto itself: ties.
+/// Returns copies at equal places, also inside a group, and mirrored onto itself: ties.
 fn coincident<V: Vector>(rng: &mut Rng) -> Vec<Shape<V>> {
     let mut shapes = meshes();
     let (place, identity) = (lattice(rng), AffineMap::IDENTITY);
@@ -148,7 +148,7 @@ fn coincident<V: Vector>(rng: &mut Rng) -> Vec<Shape<V>> {
     shapes
 }
 
-/// A group that is huge, in one that is not: its frame counts.
+/// Returns a huge group in a small one, where the frame matters.
 fn tiny_of_huge<V: Kind>(rng: &mut Rng) -> Vec<Shape<V>> {
     let mut shapes = one_group(rng, 3, |rng| scaled(rng, V::HUGE));
     let group = shapes.len() - 1;
@@ -156,7 +156,7 @@ fn tiny_of_huge<V: Kind>(rng: &mut Rng) -> Vec<Shape<V>> {
     shapes
 }
 
-/// One in another, each a million times smaller than what is beside it.
+/// Returns nested shapes, each a million times smaller than its siblings.
 fn mixed<V: Vector>(rng: &mut Rng) -> Vec<Shape<V>> {
     let mut shapes = meshes();
     for _ in 0..2 {
@@ -173,7 +173,7 @@ fn affine<R: Real>(a: DMat3, b: DVec3) -> Option<AffineMap<R>> {
     AffineMap::new([0, 1, 2].map(row)).ok()
 }
 
-/// The first map that has an inverse.
+/// Draws maps until one has an inverse.
 fn sheared<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     loop {
         let a = DMat3::from_cols(vector(rng) * 2.0, vector(rng) * 2.0, vector(rng) * 2.0);
@@ -183,7 +183,7 @@ fn sheared<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     }
 }
 
-/// Any of these, of about this size.
+/// Draws any of these maps, of about this size.
 pub(crate) fn about(rng: &mut Rng, size: f64) -> AffineMap {
     loop {
         let scale = DVec3::splat(1.0) + vector(rng) * 0.3;
@@ -199,7 +199,7 @@ pub(crate) fn about(rng: &mut Rng, size: f64) -> AffineMap {
     }
 }
 
-/// Axes onto axes, by powers of two, and small integers.
+/// Draws a map of axes to axes, by powers of two, with small integers.
 fn lattice<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     let (first, odd) = (rng.below(3) as usize, rng.coin());
     let mut rows = [[0.0; 4]; 3];
@@ -219,7 +219,7 @@ fn rotated<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     affine(rotation(rng), vector(rng) * 3.0).expect("a rotation")
 }
 
-/// As a whole, with what is placed.
+/// Draws a uniform scaling, also of the translation.
 fn scaled<R: Real>(rng: &mut Rng, by: f64) -> AffineMap<R> {
     affine(rotation(rng) * by, vector(rng) * (3.0 * by.abs())).expect("not flat")
 }
@@ -228,7 +228,7 @@ fn far<V: Kind>(rng: &mut Rng) -> AffineMap<V::Real> {
     affine(rotation(rng), vector(rng) + DVec3::new(V::FAR, -0.3 * V::FAR, 0.01 * V::FAR)).expect("a rotation")
 }
 
-/// Rows that differ by little.
+/// Draws a map whose rows differ little.
 fn nearly_flat<R: Real>(rng: &mut Rng) -> AffineMap<R> {
     let row = vector(rng).to_array().map(R::rounded);
     let near =

@@ -1,5 +1,5 @@
-//! Instances whose numbers are at thresholds of the format: powers of two, the least normal number, subnormal ones. What
-//! is rounded there must not be taken for exact.
+//! Instances with numbers at thresholds of the format: powers of two, the least normal number, subnormal numbers.
+//! Rounded results there must not be treated as exact.
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::Builder;
@@ -71,7 +71,7 @@ fn what_nested_maps_round_is_not_exact() {
     assert_eq!(closest::<Vec3>(wall, &nine, line, 1.0), None);
 }
 
-/// Axes onto axes, by powers of two up to this exponent and at times by numbers next to those.
+/// Draws a map of axes to axes, by powers of two up to this exponent, and sometimes by numbers next to powers of two.
 fn map(draw: &mut Draw, most: i32) -> [[f64; 4]; 3] {
     let (first, mut rows) = (draw.below(3), [[0.0; 4]; 3]);
     for (axis, row) in rows.iter_mut().enumerate() {

@@ -1,4 +1,4 @@
-//! Nearest points of a mesh from afar, where all of it is nearly equally far.
+//! Nearest points of a mesh from far away, where all its points are at nearly equal distances.
 
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Bvh, WideBvh};
@@ -13,7 +13,7 @@ use stackless_check::{check_nearest, nearest as truth};
 
 use super::{all, ball, meshes_of_all_kinds, point, trees};
 
-/// A point on the mesh or near it, moved away by so many powers of two.
+/// Draws a point on the mesh or near it, moved away by a power of two.
 fn afar<V: Vector>(mesh: &Mesh<V>, random: &mut Rng, power: i32) -> V {
     let near = point(mesh, random).widen();
     let away = near + (near - mesh.vertices()[0].widen()) * 2f64.powi(power);
@@ -82,7 +82,7 @@ fn wide_trees_find_what_is_nearest_from_afar() {
     }
 }
 
-/// The stress suite, from where its rays begin, from afar, and in double precision. [NEAR-1] [NEAR-3]
+/// The stress suite, from the origins of its rays, from far away, and in double precision. [NEAR-1] [NEAR-3]
 #[test]
 fn the_nearest_of_stress_cases_are_the_truth() {
     for case in stress::cases(6) {

@@ -36,7 +36,7 @@ fn options(builder: Builder) -> BuildOptions {
     BuildOptions { builder, spatial, ..BuildOptions::fine() }
 }
 
-/// The face that was beside the point was left out.
+/// A former version omitted the face next to the point.
 #[test]
 fn the_nearest_face_may_be_a_segment() {
     let corners = [[2.25, -8.0, 16.5], [-0.5, -8.0, 16.5], [-0.5, -8.0, 16.5], [99.0, 99.0, 99.0], [99.0, 100.0, 99.0]];
@@ -65,7 +65,7 @@ fn check<V: Precision>(mesh: &Mesh<V>, bvh: &Bvh<Triangle<V>>, queries: u64) -> 
     found.filter(|&(_, prim)| Triangle(mesh.triangle(prim as usize)).is_degenerate()).count()
 }
 
-/// The faces in reverse: some that had an area have none now, and others have one.
+/// Returns the faces in reverse: some faces lose their area, and some get one.
 fn reversed<V: Vector>(mesh: &Mesh<V>) -> Mesh<V> {
     let faces = mesh.triangles().iter().rev().copied().collect();
     Mesh::new(mesh.vertices().to_vec(), faces).expect("a mesh")

@@ -1,4 +1,4 @@
-//! States that are kept: as bytes, and what is said of those that cannot be taken up.
+//! Stored states: as bytes, and the errors of states that cannot be resumed.
 
 use stackless_bvh::generate::{Exhaustive, Source, shape};
 use stackless_bvh::key::{Grow, KeyWord};
@@ -24,7 +24,7 @@ fn states_come_back_with_what_they_have_and_nothing_else_does() {
                 let bytes = states.to_bytes(&paused);
                 let words = 1 + usize::from(key.is_some()) + usize::from(disjoint.is_some());
                 assert_eq!((bytes.len(), states.bytes(&paused)), (26 + 4 * words + 8, 26 + 4 * words + 8));
-                // Where the sibling is postponed, bytes say where it is, whether or not the traversal keeps it.
+                // If the sibling is postponed, the bytes have its address, whether or not the traversal stores it.
                 let register = if trail == 0 { None } else { Some(sibling) };
                 assert_eq!(states.from_bytes::<u32>(&bytes), Ok(Paused { register, ..paused }));
             }

@@ -1,4 +1,4 @@
-//! A recording of a wide tree beside the oracle's.
+//! Comparison of a recording of a wide tree with the oracle's.
 
 use super::observe::{self, Back, LevelState, Log, Seen};
 use super::places::{Places, children};
@@ -7,7 +7,7 @@ use crate::{By, ExplainError, HashLookup, Next, Step};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Search, StateView, Tables, Topology, Tree, is_beyond};
 
-/// What the oracle does, and what the tree says of its nodes.
+/// The oracle's run, and lookups of the tree's nodes.
 #[derive(Debug)]
 pub(super) struct Judge<'a, const A: usize> {
     pub(super) tree: &'a Tree<A>,
@@ -16,13 +16,13 @@ pub(super) struct Judge<'a, const A: usize> {
     tables: &'a Tables,
     is_sorted: bool,
     oracle: Vec<Seen>,
-    /// At each of its visits; `None` if the oracle does not go the way of its answers.
+    /// The postponed nodes at each visit; `None` if the oracle's visits do not match its answers.
     postponed: Option<Vec<Postponed>>,
-    /// By number of the node: the wanted children with their ranks, in their order.
+    /// By node number: the wanted children with their ranks, in their order.
     wanted: Vec<Vec<(Node, u32)>>,
 }
 
-/// The oracle's postponed nodes with their ranks; the last one comes next.
+/// The oracle's postponed nodes with their ranks. The last one is visited next.
 type Postponed = Vec<(Node, u32)>;
 
 impl<'a, const A: usize> Judge<'a, A> {
@@ -44,7 +44,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         Self { tree, method, places, tables, is_sorted: S::SORTED, oracle, postponed, wanted }
     }
 
-    /// Whether ranks become less somewhere on the way down.
+    /// Returns whether ranks decrease anywhere on the way down.
     pub(super) fn is_falling(&self) -> bool {
         let begin = |rank: u32| rank & !(A as u32 - 1);
         let all = || self.wanted.iter().flatten();
@@ -54,9 +54,10 @@ impl<'a, const A: usize> Judge<'a, A> {
         self.is_sorted && all().any(falls)
     }
 
-    /// The oracle's postponed nodes at each step, if every visit is the oracle's and all that is kept says the same.
+    /// Returns the oracle's postponed nodes at each step. Every visit must equal the oracle's, and the stored state
+    /// must describe exactly these nodes.
     ///
-    /// On the way down again the node that comes next is still postponed.
+    /// On the way down after a restart, the next node is still postponed.
     pub(super) fn compare(&self, steps: &[Seen]) -> Result<Vec<Postponed>, ExplainError> {
         let Some(postponed) = &self.postponed else {
             return Err(self.differs(0, "the way of its oracle", "that of its answers", "another"));
@@ -109,7 +110,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         Ok(())
     }
 
-    /// What is kept of a node on the path, and the child through which the path goes on.
+    /// Compares the stored state of a node on the path, and the child where the path continues.
     fn compare_level(
         &self,
         [node, child]: [Node; 2],
@@ -134,7 +135,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         match kept.words {
             StateView::Trail { pending, is_dirty } => {
                 sets(pending)?;
-                // Without an order nothing is beyond, and nobody reads the bit.
+                // Without an order no child is beyond the end, and the bit is unused.
                 if self.is_sorted && is_dirty != kept.has_changed {
                     return Err(("the dirty bit", kept.has_changed.to_string(), is_dirty.to_string()));
                 }
@@ -177,7 +178,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         ExplainError::Differs { method, visit, what, expected, found }
     }
 
-    /// A step as it is shown.
+    /// Converts a step to its form on the page.
     pub(super) fn step(&self, steps: &[Seen], at: usize, postponed: &[(Node, u32)]) -> Step {
         let seen = &steps[at];
         let next = steps.get(at + 1).map(|following| self.next(seen, following));
@@ -185,7 +186,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         let beyond = postponed.iter().filter(|&&(_, rank)| self.is_beyond(rank, seen.end));
         let numbers = |nodes: &mut dyn Iterator<Item = &(Node, u32)>| nodes.map(|(node, _)| number(*node)).collect();
         let words = text::Digits::of::<A>(&seen.levels);
-        // A leaf has no record: the traversal is at its parent.
+        // A leaf has no record, so the traversal is at its parent.
         let at = if seen.node.is_leaf() { self.places.ancestors(seen.node)[0] } else { seen.node };
         let links = (1..=self.links()).map(|up| {
             let is_there = up <= self.places.depth(at);
@@ -216,7 +217,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         }
     }
 
-    /// How many ancestors the method reads in a record, of those that there are.
+    /// Returns the number of existing ancestors that the method reads from a record.
     pub(super) fn links(&self) -> u32 {
         let most = self.tree.levels();
         match self.method {
@@ -243,7 +244,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         }
     }
 
-    /// Where the address of a postponed node comes from.
+    /// Returns the source of a postponed node's address.
     fn source(&self, seen: &Seen, following: &Seen) -> By {
         let has_gone = seen.backs.iter().any(|back| back.from != back.to);
         match self.method {
@@ -256,7 +257,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         }
     }
 
-    /// The lookup of a way back, where a table was asked.
+    /// Returns the lookup of a backtrack, if a table was used.
     pub(super) fn lookup(&self, back: &Back) -> Option<HashLookup> {
         let (key, hash) = (back.key?, self.tables.hash().ok()?);
         (back.from != back.to).then(|| HashLookup::of(hash, &key, number))
@@ -282,19 +283,19 @@ impl<'a, const A: usize> Judge<'a, A> {
         text::name::<A>(self.places.key(node))
     }
 
-    /// The same, by number.
+    /// Returns the name of the node with a number.
     pub(super) fn name_of(&self, number: u32) -> String {
         self.places.keys().nth(number as usize).map_or_else(String::new, text::name::<A>)
     }
 }
 
-/// A node as pages name it.
+/// Returns the number of a node on pages.
 pub(super) fn number(node: Node) -> u32 {
     node.index() as u32
 }
 
-/// What is postponed at each visit: an answer postpones its children, and a visit is of the last one that is postponed
-/// and not beyond. `None` if it is not.
+/// Computes the postponed nodes at each visit. An answer postpones its children, and a visit is of the last postponed
+/// node that is not beyond the end; otherwise the result is `None`.
 fn postponed<const A: usize>(root: Node, steps: &[Seen], end: u32, is_sorted: bool) -> Option<Vec<Postponed>> {
     let is_left_out = |rank, end| is_sorted && is_beyond::<A>(rank, end);
     let mut stack = vec![(root, 0)];

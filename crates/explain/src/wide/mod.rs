@@ -1,4 +1,4 @@
-//! Traversals of wide trees, step by step: the same pages, with a set where binary trees have a bit.
+//! Step-by-step pages of wide-tree traversals. A set of slots takes the place of each bit of a binary trail.
 
 mod judge;
 mod observe;
@@ -16,11 +16,11 @@ use stackless_bvh::generate::{Rng, WideAnswer, WideTape, wide_tree};
 use stackless_bvh::wide::{Method, Search, Tables, Tree};
 use stackless_check::WideCase;
 
-/// Traversals that a page has if none are named, the one it opens with first.
+/// The default traversals of a page, in their order.
 pub const USUAL: [Method; 6] =
     [Method::Recorded, Method::Hashed, Method::Trail, Method::Restart0, Method::Restart2, Method::Stack];
 
-/// The page of a search through a wide tree, as [`explain::page`](super::page) makes it.
+/// Builds the page of a search through a wide tree, like [`explain::page`](super::page).
 ///
 /// ```
 /// use stackless_explain::wide::{self, USUAL};
@@ -57,7 +57,7 @@ pub fn page<const A: usize, S: Search<A> + Clone>(
     page.to_html()
 }
 
-/// Runs a traversal over a wide tree, and compares each visit, and what is kept, with the oracle's. `[WIDE-7]`
+/// Runs a traversal over a wide tree. Compares each visit and the stored state with the oracle's. `[WIDE-7]`
 /// `[WIDE-11]` `[WIDE-19]`
 ///
 /// # Errors
@@ -92,16 +92,16 @@ pub fn record<const A: usize, S: Search<A> + Clone>(
     })
 }
 
-/// Names of the ancestors that a record names.
+/// Names of linked ancestors.
 const LINKS: [&str; 8] = ["parent", "2 up", "3 up", "4 up", "5 up", "6 up", "7 up", "8 up"];
 
-/// A wide tree with a random search.
+/// Draws a wide tree with a search.
 pub fn random<const A: usize>(seed: u64) -> WideCase<A> {
     WideCase::draw(&mut Rng::new(seed), 24, 4, 12)
 }
 
-/// From the leaf with key 1252 to key 10, two levels up: what is pending of node 12 is beyond the hit in 1250 by then.
-/// `[WIDE-17]`
+/// Returns an example of a backtrack from the leaf with key 1252 to key 10, two levels up. The pending children of node
+/// 12 are then beyond the hit in 1250. `[WIDE-17]`
 pub fn example() -> WideCase<8> {
     let lists: [&[u32]; 4] = [&[1, 2, 3, 4, 5], &[6, 7, 8, 9, 10, 11], &[12, 13, 14], &[15, 16, 17]];
     let inner = [(0, lists[0]), (3, lists[1]), (11, lists[2]), (2, lists[3])];

@@ -1,4 +1,4 @@
-//! Watching a traversal of a wide tree: what its cursor keeps, what the search answers, which records are read.
+//! Observation of a wide-tree traversal: the state of its cursor, the answers of the search, and the records read.
 
 use std::cell::{Cell, RefCell};
 
@@ -13,59 +13,59 @@ use stackless_bvh::wide::{
     Wanted, advance, oracle,
 };
 
-/// What is seen from a visit to the next.
+/// The observations from one visit to the next.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
     pub(super) node: Node,
-    /// Passed again on the way down from the root.
+    /// The visit is a repetition, on the way down after a restart.
     pub(super) is_restarting: bool,
-    /// The key of the node, where the traversal carries keys.
+    /// The key of the node, if it is part of the state.
     pub(super) key: Option<u64>,
-    /// What is kept of the nodes above, the root's first; none if it is not kept by levels.
+    /// The state of the nodes above, from the root's on; empty if it is not stored per level.
     pub(super) levels: Vec<LevelState>,
-    /// Where the search ends, before the node is looked into.
+    /// The end of the search, before the visit.
     pub(super) end: u32,
     /// At an inner node: the wanted children with their ranks, the first one first.
     pub(super) wanted: Option<Vec<(Node, u32)>>,
-    /// Something is found in this leaf.
+    /// The search finds a hit in this leaf.
     pub(super) is_hit: bool,
-    /// It ends the search.
+    /// The hit ends the search.
     pub(super) stops: bool,
-    /// What the traversal does before it names the next node.
+    /// The events before the traversal determines the next node.
     pub(super) backs: Vec<Back>,
 }
 
-/// What is kept of a node above the present one.
+/// The stored state of a node above the current one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LevelState {
     pub(super) words: StateView,
-    /// The end has changed since the search was asked about the node.
+    /// The end has changed since the node was queried.
     pub(super) has_changed: bool,
 }
 
-/// The traversal goes back to an ancestor, or asks again about the node where it is.
+/// A return to an ancestor, or a repeated query of the current node.
 #[derive(Clone, Debug)]
 pub(super) struct Back {
     pub(super) from: Node,
     pub(super) to: Node,
     /// Nodes whose records were read for it.
     pub(super) read: Vec<Node>,
-    /// The key that was asked of the table.
+    /// The key of the lookup.
     pub(super) key: Option<u64>,
-    /// The search was asked again there.
+    /// The search was queried again there.
     pub(super) is_asked: bool,
 }
 
-/// The visits so far. All who watch write to it.
+/// The visits so far. All observers write to it.
 #[derive(Debug)]
 pub(super) struct Log<'p> {
     places: &'p Places,
     steps: RefCell<Vec<Seen>>,
-    /// Where the search ends now.
+    /// The current end of the search.
     end: Cell<u32>,
-    /// Where it ended when it was asked about each node.
+    /// The end at the time of each node's query.
     asked: RefCell<Vec<Option<u32>>>,
-    /// Key and kept levels of the child that was named last, until it is visited.
+    /// Key and stored levels of the last determined child, until it is visited.
     named: RefCell<Option<(Option<u64>, Vec<LevelState>)>>,
     read: RefCell<Vec<Node>>,
 }
@@ -83,12 +83,12 @@ impl<'p> Log<'p> {
         }
     }
 
-    /// The steps, and where the search ends after them.
+    /// Returns the steps, and the end of the search after them.
     pub(super) fn into_steps(self) -> (Vec<Seen>, u32) {
         (self.steps.into_inner(), self.end.get())
     }
 
-    /// Adds to what is seen at the present visit.
+    /// Adds an observation to the current visit.
     fn note(&self, add: impl FnOnce(&mut Seen)) {
         if let Some(seen) = self.steps.borrow_mut().last_mut() {
             add(seen);
@@ -102,7 +102,7 @@ impl<'p> Log<'p> {
         self.steps.borrow_mut().push(seen);
     }
 
-    /// The search was asked about a node: at its visit, or again.
+    /// Records a query of a node: at its visit, or again.
     fn was_asked(&self, node: Node, wanted: Vec<(Node, u32)>) {
         self.asked.borrow_mut()[node.index()] = Some(self.end.get());
         self.note(|seen| {
@@ -117,7 +117,7 @@ impl<'p> Log<'p> {
         });
     }
 
-    /// What a cursor keeps of the ancestors of a node, at a depth.
+    /// Returns the cursor's state of the ancestors of a node at a depth.
     fn kept<const A: usize>(&self, cursor: &impl Cursor<A>, node: Node, own: u32) -> Vec<LevelState> {
         let of_ancestor = |ancestor: Node| {
             let words = cursor.words(own - self.places.depth(ancestor))?;
@@ -128,7 +128,7 @@ impl<'p> Log<'p> {
     }
 }
 
-/// Runs a traversal to its end. One that has none is stopped.
+/// Runs a traversal to its end, and stops one that does not end.
 pub(super) fn run<const A: usize, S: Search<A>>(
     tree: &Tree<A>,
     tables: &Tables,
@@ -142,7 +142,7 @@ pub(super) fn run<const A: usize, S: Search<A>>(
     ran.map_err(|error| ExplainError::UnsupportedWide { method, error })
 }
 
-/// What the oracle does.
+/// Runs the oracle.
 pub(super) fn run_oracle<const A: usize, S: Search<A>>(tree: &Tree<A>, search: S, log: &Log<'_>) {
     oracle::traverse(tree, &mut Deciding::new(tree, search, log), &mut Watching(log));
 }
@@ -162,7 +162,7 @@ impl<'t, const A: usize, T: Topology<A>, S: Search<A>> Context<'t, A, T> for Run
         let mut cursor = Observed { cursor: start(from)?, log };
         *log.named.borrow_mut() = Some((cursor.key(), Vec::new()));
         log.visited(cursor.node(), false);
-        // No node is asked about more often than it has descendants to go to.
+        // No node is queried more often than it has descendants.
         for _ in 0..(log.places.len() + 2) * (tree.levels() as usize + 2) * A {
             let wanted = search.ask(cursor.node());
             if !advance(tree, &mut cursor, wanted, &mut search, &mut Watching(log)) {
@@ -173,7 +173,7 @@ impl<'t, const A: usize, T: Topology<A>, S: Search<A>> Context<'t, A, T> for Run
     }
 }
 
-/// A tree that notes whose ancestors are asked for.
+/// A tree that records whose ancestors are read.
 #[derive(Debug)]
 struct WatchedTree<'t, 'p, const A: usize> {
     tree: &'t Tree<A>,
@@ -207,7 +207,7 @@ impl<const A: usize> Topology<A> for WatchedTree<'_, '_, A> {
     }
 }
 
-/// Looks at each visit.
+/// Observes each visit.
 struct Watching<'l, 'p>(&'l Log<'p>);
 
 impl Recorder for Watching<'_, '_> {
@@ -217,14 +217,14 @@ impl Recorder for Watching<'_, '_> {
     }
 }
 
-/// A cursor that is looked at after each of its steps.
+/// A cursor that is observed after each of its steps.
 struct Observed<'l, 'p, C> {
     cursor: C,
     log: &'l Log<'p>,
 }
 
 impl<C> Observed<'_, '_, C> {
-    /// Whatever the cursor has done since it was at a node.
+    /// Records the cursor's actions since it was at a node.
     fn look<const A: usize>(&mut self, from: Node, next: Next) -> Next
     where
         C: Cursor<A>,
@@ -291,7 +291,7 @@ impl<const A: usize, C: Cursor<A>> Cursor<A> for Observed<'_, '_, C> {
     }
 }
 
-/// A search that says what it answers.
+/// A search that records its answers.
 struct Deciding<'l, 'p, S, const A: usize> {
     tree: &'l Tree<A>,
     search: S,

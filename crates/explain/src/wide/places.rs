@@ -1,4 +1,4 @@
-//! Where the nodes of a wide tree are.
+//! Positions of the nodes of a wide tree.
 
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Topology, Tree, child_key};
@@ -41,19 +41,19 @@ impl Places {
         self.0.iter().map(|place| place.key)
     }
 
-    /// The number of edges from the root.
+    /// Returns the number of edges from the root.
     pub(super) fn depth(&self, node: Node) -> u32 {
         self.0[node.index()].depth
     }
 
-    /// The parent first, the root last.
+    /// Returns the ancestors, the parent first and the root last.
     pub(super) fn ancestors(&self, node: Node) -> Vec<Node> {
         let parent = |node: &Node| self.0[node.index()].parent;
         std::iter::successors(parent(&node), parent).collect()
     }
 }
 
-/// The children with their slots.
+/// Returns the children with their slots.
 pub(super) fn children<const A: usize>(tree: &Tree<A>, node: Node) -> impl Iterator<Item = (u32, Node)> + '_ {
     let set = if node.is_leaf() { 0 } else { tree.children(node) };
     (0..A as u32).filter(move |slot| set >> slot & 1 == 1).map(move |slot| (slot, tree.child(node, slot)))

@@ -1,4 +1,4 @@
-//! A ray through a scene, as a case that can be drawn.
+//! Conversion of a ray through a scene to a case.
 
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::generate::{WideAnswer, WideTape, wide_tree};
@@ -9,10 +9,10 @@ use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Ranks, Topology};
 use stackless_check::WideCase;
 
-/// The case of a ray's closest hit: what the tape answers is what [`Tracer`] is answered.
+/// Converts a closest-hit query to a case: its tape has the answers that [`Tracer`] receives.
 ///
-/// The tree has the nodes whose boxes the ray meets, and beside them those that it misses, as leaves. Distances are
-/// numbered from the least, so that they keep their order. It may be too large for a page.
+/// The tree has the nodes whose boxes the ray hits. Their missed siblings are leaves. Distances are replaced by their
+/// ranks. The result may be too large for a page.
 pub fn of_ray(bvh: &WideBvh, ray: &Ray) -> WideCase<8> {
     let nodes = met(bvh, ray);
     let mut distances: Vec<u32> = nodes.iter().flat_map(|met| [Some(met.begin), met.hit]).flatten().collect();
@@ -26,16 +26,16 @@ pub fn of_ray(bvh: &WideBvh, ray: &Ray) -> WideCase<8> {
     WideCase { tape: WideTape::of(&tree, &answers), tree, is_sorted: true }
 }
 
-/// A node that a ray meets, or the top one of those that it misses. Distances are given by their bits.
+/// A node that the ray hits, or the top node of a missed subtree. Distances are given by their bits.
 struct Met {
     children: Option<Vec<u32>>,
     is_wanted: bool,
     begin: u32,
-    /// The closest hit in a leaf.
+    /// The distance of the closest hit in a leaf.
     hit: Option<u32>,
 }
 
-/// Parents before their children, the root first.
+/// Returns the nodes with parents before their children, the root first.
 fn met(bvh: &WideBvh, ray: &Ray) -> Vec<Met> {
     let (tracer, exact) = (Tracer::new(bvh), Exact::new(ray, bvh.region()));
     let hit = |leaf: Node| {

@@ -1,4 +1,4 @@
-//! That the comparison with the oracle sees what is wrong.
+//! The comparison with the oracle detects faults.
 
 use super::observe::{Log, Seen};
 use super::*;
@@ -20,7 +20,7 @@ fn compare(method: Method, change: impl FnOnce(&mut Vec<Seen>)) -> Result<usize,
     }
 }
 
-/// What is kept of the root at the second visit.
+/// Changes the stored state of the root at the second visit.
 fn of_root(steps: &mut [Seen], change: impl FnOnce(&mut StateView)) {
     change(&mut steps[1].levels[0].words);
 }
@@ -89,7 +89,7 @@ fn the_case_of_a_ray_is_what_the_tracer_does() {
             let recording = record(&case.tree, &case.search::<true>(), method).unwrap();
             let (counters, mut asked, mut leaves) = (tracer.count_closest(&[ray]), 0, 0);
             for step in &recording.steps {
-                // Asked at its visit, at each pass, and wherever it says so.
+                // Queried at its visit, at each repetition, and at each mention in the text.
                 asked += u64::from(step.decision.is_some()) + step.text.matches("asked about").count() as u64;
                 leaves += u64::from(step.decision.is_none() && !step.restart);
             }

@@ -1,4 +1,4 @@
-//! What happens at a visit of a wide tree, in words and digits.
+//! Descriptions of visits of wide trees, in words and digits.
 
 use super::judge::Judge;
 use super::observe::{Back, LevelState, Seen};
@@ -7,8 +7,8 @@ use crate::{By, Next};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, StateView};
 
-/// The name of a node: its key to the base A, so that each digit but the first is a slot. Where nodes have two children it
-/// is decimal, as in binary trees.
+/// Returns the name of a node: its key in base A, so each digit except the first is a slot. For A = 2 the name is
+/// decimal, as in binary trees.
 pub(super) fn name<const A: usize>(mut key: u128) -> String {
     let mut digits = Vec::new();
     let base = u128::from(base::<A>());
@@ -19,17 +19,17 @@ pub(super) fn name<const A: usize>(mut key: u128) -> String {
     digits.into_iter().rev().collect()
 }
 
-/// Of the names.
+/// Returns the base of the names.
 pub(super) const fn base<const A: usize>() -> u32 {
     if A == 2 { 10 } else { A as u32 }
 }
 
-/// A set of slots as digits, slot 0 last.
+/// Formats a set of slots as digits, slot 0 last.
 pub(super) fn group<const A: usize>(set: u32) -> String {
     format!("{set:0A$b}")
 }
 
-/// What is kept of all levels, in digits.
+/// The stored state of all levels, as digits.
 #[derive(Default)]
 pub(super) struct Digits {
     pub(super) trail: Option<String>,
@@ -58,7 +58,7 @@ impl Digits {
                 }
             }
         }
-        // As words are shown: without leading zeros.
+        // Like words, without leading zeros.
         digits.trail = digits.trail.map(|trail| match trail.trim_start_matches('0') {
             "" => "0".to_owned(),
             bits => bits.to_owned(),
@@ -75,7 +75,7 @@ impl Digits {
     }
 }
 
-/// An answer in few words.
+/// Formats an answer.
 pub(super) fn decision(wanted: usize, children: usize) -> String {
     format!("{wanted} of {}", counted(children))
 }
@@ -84,7 +84,7 @@ fn counted(children: usize) -> String {
     if children == 1 { "1 child".to_owned() } else { format!("{children} children") }
 }
 
-/// The sentences of a visit, and its clauses. `is_empty` if the oracle has postponed nothing.
+/// Returns the description of a visit, and its clauses. `is_empty` means that the oracle has no postponed nodes.
 pub(super) fn of<const A: usize>(
     judge: &Judge<'_, A>,
     seen: &Seen,
@@ -110,7 +110,7 @@ pub(super) fn of<const A: usize>(
     (text, clauses)
 }
 
-/// What is found, or wanted.
+/// Describes the hit or the wanted children.
 fn visited<const A: usize>(judge: &Judge<'_, A>, seen: &Seen) -> (String, Vec<&'static str>) {
     let node = judge.name(seen.node);
     if seen.is_restarting {
@@ -134,7 +134,7 @@ fn visited<const A: usize>(judge: &Judge<'_, A>, seen: &Seen) -> (String, Vec<&'
     (text, vec!["WIDE-2", if judge.is_sorted() { "WIDE-5" } else { "WIDE-6" }])
 }
 
-/// Back to an ancestor, and what is asked again there.
+/// Describes the return to an ancestor, and its repeated query.
 fn gone_back<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> Vec<(String, &'static str)> {
     let (to, clause) = (judge.name(back.to), judge.method.clause());
     let mut said = Vec::new();
@@ -160,14 +160,14 @@ fn gone_back<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> 
     said
 }
 
-/// Whether a set between the two nodes is not empty, and was passed over without a look at its node.
+/// Returns whether a set between the two nodes is not empty, but was skipped without reading its node.
 fn is_dropped<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> bool {
     let between = judge.places.depth(back.to) + 1..judge.places.depth(back.from);
     let is_open = |kept: &LevelState| matches!(kept.words, StateView::Ranked { pending, .. } if pending != 0);
     between.filter_map(|level| seen.levels.get(level as usize)).any(is_open)
 }
 
-/// To the next node.
+/// Describes the step to the next node.
 fn onward<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, next: &Next) -> (String, &'static str) {
     let (to, clause) = (judge.name_of(next.node), judge.method.clause());
     let others = seen.wanted.as_ref().map_or(0, |wanted| wanted.len().saturating_sub(1));

@@ -1,4 +1,4 @@
-//! The document of a file: of glTF, what has to do with triangles.
+//! The document of a glTF file: its fields that concern triangles.
 
 use std::borrow::Cow;
 use std::path::{Component, Path};
@@ -60,7 +60,7 @@ pub(super) struct Primitive {
     pub(super) targets: Vec<serde::de::IgnoredAny>,
 }
 
-/// The mode of a primitive that names none.
+/// The default mode of a primitive.
 fn triangles() -> u32 {
     4
 }
@@ -99,7 +99,7 @@ pub(super) struct Values {
     pub(super) buffer_view: usize,
     #[serde(default)]
     pub(super) byte_offset: usize,
-    /// Of indices only.
+    /// Only for indices.
     #[serde(default)]
     pub(super) component_type: u32,
 }
@@ -121,7 +121,7 @@ struct Buffer {
     byte_length: usize,
 }
 
-/// The parts of a file: the document, and the bytes of its buffers.
+/// The parts of a file: the document and the bytes of its buffers.
 pub(super) type Parts<'a> = (Document, Vec<Cow<'a, [u8]>>);
 
 /// Reads the document and all buffers.
@@ -145,7 +145,7 @@ pub(super) fn read<'a>(bytes: &'a [u8], folder: Option<&Path>) -> Result<Parts<'
     Ok((document, buffers))
 }
 
-/// The document and the binary part of a `.glb` file.
+/// Splits a `.glb` file into its document and its binary chunk.
 fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     let number = |at: usize| bytes.get(at..)?.first_chunk().map(|number| u32::from_le_bytes(*number) as usize);
     if number(4) != Some(2) {
@@ -164,12 +164,12 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Fault> {
     let Some((b"JSON", text, end)) = chunk(12) else {
         return Err(Fault::unexpected("no chunk of JSON", "one after the header"));
     };
-    // Others are extensions.
+    // Other chunks are extensions.
     let binary = chunk(end.next_multiple_of(4)).filter(|(kind, ..)| *kind == b"BIN\0");
     Ok((text, binary.map(|(_, data, _)| data)))
 }
 
-/// Parts of the names of extensions that are read, or that say nothing of where triangles are.
+/// Parts of the names of extensions that are supported or do not affect the positions of triangles.
 const HARMLESS: [&str; 14] = [
     "_materials_",
     "_texture_",
@@ -187,7 +187,7 @@ const HARMLESS: [&str; 14] = [
     "MPEG_media",
 ];
 
-/// Whether an extension is read, or says nothing of where triangles are.
+/// Returns whether an extension is supported or does not affect the positions of triangles.
 pub(super) fn is_known(extension: &str) -> bool {
     HARMLESS.iter().any(|part| extension.contains(part))
 }
@@ -207,13 +207,13 @@ impl Document {
         }
     }
 
-    /// The nodes of the scene that the document names, or of its first.
+    /// Returns the nodes of the default scene, or of the first one.
     pub(super) fn roots(&self) -> Result<&[usize], Fault> {
         Ok(&entry(&self.scenes, self.scene.unwrap_or(0), "scene")?.nodes)
     }
 }
 
-/// An entry of the document.
+/// Returns an entry of the document.
 pub(super) fn entry<'a, T>(all: &'a [T], index: usize, name: &str) -> Result<&'a T, Fault> {
     all.get(index).ok_or_else(|| match all.len() {
         0 => Fault::unexpected(format!("no {name}"), format!("{name} {index}")),
@@ -222,7 +222,7 @@ pub(super) fn entry<'a, T>(all: &'a [T], index: usize, name: &str) -> Result<&'a
 }
 
 impl Buffer {
-    /// Its bytes, of which there may be more.
+    /// Reads the bytes of the buffer, which may be followed by more.
     fn read<'a>(&self, binary: Option<&'a [u8]>, folder: Option<&Path>) -> Result<Cow<'a, [u8]>, Fault> {
         let bytes = match self.uri.as_deref() {
             None => Cow::Borrowed(binary.ok_or_else(|| Fault::unexpected("no data", "a uri or the binary part"))?),
@@ -248,7 +248,7 @@ impl Buffer {
     }
 }
 
-/// The bytes of a file that a document names. It names none outside of its folder.
+/// Reads a file that a document names. Paths outside the document's folder are rejected.
 fn read_beside(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Fault> {
     let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();
     let is_below = Path::new(&*name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));

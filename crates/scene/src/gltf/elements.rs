@@ -1,4 +1,4 @@
-//! The elements of an accessor: all of them within its view, and that within its buffer.
+//! The elements of accessors. All elements must lie within the view, and the view within its buffer.
 
 use std::borrow::Cow;
 
@@ -10,9 +10,9 @@ use crate::text::quote;
 /// The elements of an accessor.
 pub(super) struct Elements<'a> {
     pub(super) count: usize,
-    /// Without a view they are 0.
+    /// Without a view, all elements are 0.
     plain: Option<Plain<'a>>,
-    /// Others in place of them, in order.
+    /// Replacements of elements, in order.
     sparse: Vec<(usize, &'a [u8])>,
     component: Component,
     is_normalized: bool,
@@ -26,10 +26,10 @@ struct Plain<'a> {
     size: usize,
 }
 
-/// An element that is 0, of any type that is read.
+/// A zero element of any supported type.
 const ZERO: [u8; 16] = [0; 16];
 
-/// The type of a number.
+/// The type of a component.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Component {
     I8,
@@ -40,7 +40,7 @@ enum Component {
     F32,
 }
 
-/// What an accessor is for.
+/// The purpose of an accessor.
 #[derive(Clone, Copy)]
 pub(super) enum Use {
     /// Positions, translations or scales.
@@ -59,7 +59,7 @@ pub(super) struct Store<'a> {
 }
 
 impl<'a> Store<'a> {
-    /// The elements of an accessor that is for this.
+    /// Returns the elements of an accessor with a purpose.
     pub(super) fn elements(self, index: usize, what: Use) -> Result<Elements<'a>, Fault> {
         let accessor = entry(&self.document.accessors, index, "accessor")?;
         let faulty = |found: String, expected: &str| Fault::unexpected(format!("accessor {index} {found}"), expected);
@@ -117,7 +117,7 @@ impl<'a> Store<'a> {
         Ok(Elements { count: accessor.count, plain: base, sparse, component, is_normalized })
     }
 
-    /// Elements without a view need none of the bytes that would bound them.
+    /// Limits the number of elements without a view, which no bytes limit.
     fn check_data(self, accessor: &Accessor) -> Result<(), (String, String)> {
         let most: usize = self.buffers.iter().map(|bytes| bytes.len()).sum();
         match (&accessor.buffer_view, &accessor.sparse) {
@@ -129,7 +129,7 @@ impl<'a> Store<'a> {
         }
     }
 
-    /// So many elements of a view.
+    /// Returns `count` elements of a view.
     fn plain(self, place: &str, values: &Values, count: usize, size: usize) -> Result<Plain<'a>, Fault> {
         let view = entry(&self.document.buffer_views, values.buffer_view, "buffer view")?;
         let buffer: &'a [u8] = entry(self.buffers, view.buffer, "buffer")?;
@@ -159,7 +159,7 @@ impl<'a> Plain<'a> {
 }
 
 impl<'a> Elements<'a> {
-    /// The bytes of each element.
+    /// Returns the bytes of each element.
     fn bytes(&self) -> impl Iterator<Item = &'a [u8]> {
         let mut sparse = self.sparse.iter().peekable();
         (0..self.count).map(move |i| match sparse.next_if(|(at, _)| *at == i) {
@@ -168,7 +168,7 @@ impl<'a> Elements<'a> {
         })
     }
 
-    /// The numbers of each element, `N` of them.
+    /// Returns the `N` components of each element.
     pub(super) fn numbers<const N: usize>(&self) -> impl Iterator<Item = [Number<f64>; N]> {
         let size = self.component.size();
         self.bytes().map(move |bytes| {
@@ -176,7 +176,7 @@ impl<'a> Elements<'a> {
         })
     }
 
-    /// The index in each element.
+    /// Returns the index in each element.
     pub(super) fn indices(&self) -> impl Iterator<Item = u32> {
         self.bytes().map(|bytes| self.component.whole(bytes))
     }
@@ -203,12 +203,12 @@ impl Component {
         }
     }
 
-    /// The bits of a number of so many bytes, the lowest first.
+    /// Converts little-endian bytes to an integer.
     fn whole(self, bytes: &[u8]) -> u32 {
         bytes[..self.size()].iter().rev().fold(0, |number, &byte| number << 8 | u32::from(byte))
     }
 
-    /// A number, or the part of the greatest one that it is (`KHR_mesh_quantization`).
+    /// Converts bytes to a number. A normalised integer is divided by its greatest value (`KHR_mesh_quantization`).
     fn number(self, bytes: &[u8], is_normalized: bool) -> Number<f64> {
         let bits = self.whole(bytes);
         let (value, most) = match self {
@@ -222,7 +222,7 @@ impl Component {
         if !is_normalized {
             return Number::exact(value);
         }
-        // Of -128 to -1 there is no part: it counts as -127.
+        // The least value, such as -128, counts as -127.
         let value = value.max(-most);
         let part = value / most;
         Number { value: part, error: part.mul_add(-most, value).abs() / most }

@@ -1,6 +1,6 @@
-//! Where the nodes of a glTF document place their meshes, in double precision.
+//! Transforms of the nodes of a glTF document, in double precision.
 //!
-//! Numbers are the decimals of the document, and what rounding does to them is known after each sum and product.
+//! Numbers are the document's decimals. The rounding error of each sum and product is known.
 
 use serde::Deserialize;
 
@@ -28,20 +28,20 @@ pub(super) struct Node {
     scale: Option<Box<[Real; 3]>>,
 }
 
-/// What extensions say of a node.
+/// The supported extensions of a node.
 #[derive(Default, Deserialize)]
 pub(super) struct Extensions {
     #[serde(rename = "EXT_mesh_gpu_instancing")]
     pub(super) instancing: Option<Box<Instancing>>,
 }
 
-/// Further places of a node's mesh, below the node's own.
+/// Instances: further transforms of a node's mesh, relative to the node.
 #[derive(Deserialize)]
 pub(super) struct Instancing {
     pub(super) attributes: Places,
 }
 
-/// Accessors of where the meshes are.
+/// The accessors of the instances' transforms.
 #[derive(Deserialize)]
 #[serde(rename_all = "UPPERCASE")]
 pub(super) struct Places {
@@ -62,7 +62,7 @@ impl Node {
     }
 }
 
-/// The matrix of a unit quaternion, by columns.
+/// Returns the matrix of a unit quaternion, by columns.
 fn rotation([x, y, z, w]: [Real; 4]) -> [[Real; 3]; 3] {
     let minus = |number: Real| Number { value: -number.value, ..number };
     let twice = |a: Real, b: Real, c: Real, d: Real| {
@@ -81,7 +81,7 @@ fn rotation([x, y, z, w]: [Real; 4]) -> [[Real; 3]; 3] {
 impl Map {
     pub(super) const IDENTITY: Self = Self([[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE], [ZERO; 3]]);
 
-    /// A scaling, then a rotation, then a translation.
+    /// Composes a scaling, then a rotation, then a translation.
     pub(super) fn of(translation: Option<&[Real; 3]>, turn: Option<&[Real; 4]>, scale: Option<&[Real; 3]>) -> Self {
         let scale = scale.unwrap_or(&[ONE; 3]);
         let [x, y, z] = turn.map_or(Self::IDENTITY.linear(), |turn| rotation(*turn));
@@ -95,14 +95,14 @@ impl Map {
         [x, y, z]
     }
 
-    /// This map after another.
+    /// Composes this map with an earlier one.
     pub(super) fn after(&self, first: &Self) -> Self {
         let [x, y, z, origin] = first.0;
         let [x, y, z] = [x, y, z].map(|column| self.turned(column));
         Self([x, y, z, self.point(origin)])
     }
 
-    /// Where a point is moved to.
+    /// Transforms a point.
     pub(super) fn point(&self, point: [Real; 3]) -> [Real; 3] {
         let turned = self.turned(point);
         std::array::from_fn(|i| turned[i] + self.0[3][i])

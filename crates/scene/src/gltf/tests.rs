@@ -4,7 +4,7 @@ use crate::tests::Folder;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use glam::{DVec3, Vec3};
 
-/// Two nodes, one below the other, with the mesh of a triangle each; its bytes are `buffer`.
+/// Describes two nodes, one below the other, that both have the mesh of one triangle with the bytes `buffer`.
 fn document(buffer: &str) -> String {
     format!(
         r#"{{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],
@@ -52,7 +52,7 @@ fn nodes_move_their_meshes_and_those_below() {
     }
 }
 
-/// A document names numbers, and they are not those of single precision.
+/// The document's decimals are not exact in single precision.
 #[test]
 fn nodes_are_read_in_double_precision_and_what_they_round_is_counted() {
     fn read<V: Position>(changes: &[(&str, &str)]) -> Loaded<V> {
@@ -63,7 +63,7 @@ fn nodes_are_read_in_double_precision_and_what_they_round_is_counted() {
         read_gltf(changes.iter().fold(embedded(), change).as_bytes(), None).unwrap()
     }
     let counts = |rounding: Rounding| (rounding.rounded, rounding.numbers);
-    // What decimals and steps leave alone is not counted.
+    // Coordinates without rounding are not counted.
     assert_eq!(counts(read::<Vec3>(&[]).rounding), (0, 18));
     let far = [("[10,0,0]", "[691607.1,0.25,0]")];
     let loaded = read::<DVec3>(&far);
@@ -73,14 +73,14 @@ fn nodes_are_read_in_double_precision_and_what_they_round_is_counted() {
     let single = read::<Vec3>(&far);
     assert_eq!((single.mesh.vertices()[1].x, counts(single.rounding)), (691_609.1, (6, 18)));
     assert!((0.02..0.03).contains(&single.rounding.moved), "{:?}", single.rounding);
-    // A turn by 90 degrees about z, of decimals that are not its quaternion.
+    // A rotation by 90 degrees about z, with the decimals of an inexact quaternion.
     let turn = [(r#""scale":[2,2,2]"#, r#""rotation":[0,0,0.7071068,0.7071068]"#)];
     let loaded = read::<DVec3>(&turn);
     let half: f64 = "0.7071068".parse().unwrap();
     let sine = 2.0 * half * half;
     let off = (loaded.mesh.vertices()[1] - DVec3::new(10.0 + (1.0 - sine), sine, 0.0)).length();
     assert!(off < 1e-15, "{off:e}");
-    // All of x and y but those of the two corners on the axis; z stays.
+    // Rounding affects all x and y except at the two corners on the axis. No z is rounded.
     assert_eq!(counts(loaded.rounding), (8, 18));
     assert!(loaded.rounding.moved > 1e-17 && loaded.rounding.moved < 4e-15, "{:?}", loaded.rounding);
     let matrix = [(r#""translation":[10,0,0],"scale":[2,2,2]"#, r#""matrix":[2,0,0,0,0,2,0,0,0,0,2,0,10,0,0,1]"#)];

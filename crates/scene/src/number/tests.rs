@@ -3,7 +3,7 @@ use stackless_bvh::geom::truth::{Number as _, RBig};
 use super::*;
 use crate::tests::Random;
 
-/// The rational number that a decimal is.
+/// Returns the exact value of a decimal.
 fn rational(word: &str) -> RBig {
     let (mantissa, power) = word.split_once(['e', 'E']).unwrap_or((word, "0"));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -19,7 +19,7 @@ fn abs(x: RBig) -> RBig {
     if x < RBig::ZERO { -x } else { x }
 }
 
-/// The error is 0 if and only if the decimal is the float, and never too small.
+/// Checks that the error is 0 if and only if the decimal equals the float, and never too small.
 fn check<F: Float>(word: &str) -> bool {
     let Number { value, error } = Number::<F>::parse(word).unwrap();
     let exact = rational(word);
@@ -126,7 +126,7 @@ fn sums_and_products_know_what_rounding_leaves_out() {
     for _ in 0..20_000 {
         let mut float = || loop {
             let float = f64::from_bits(random.next());
-            // Of few digits, so that many results are exact.
+            // Few bits: many results are exact.
             let float = f64::from_bits(float.to_bits() & !0 << random.below(53));
             if float == 0.0 || (1e-100..1e100).contains(&float.abs()) {
                 return Number { value: float, error: [0.0, float.abs() * 1e-16][random.below(2)] };
@@ -144,7 +144,7 @@ fn sums_and_products_know_what_rounding_leaves_out() {
                 exact += u32::from(result.error == 0.0);
             }
         }
-        // Operands that are as wrong as they may be.
+        // Operands with their greatest errors.
         let ends = |number_of: Number<f64>| {
             [-1, 1].map(|sign| number(number_of.value) + number(number_of.error) * RBig::from(sign))
         };

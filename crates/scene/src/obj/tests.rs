@@ -84,7 +84,7 @@ fn what_the_format_does_not_have_is_counted() {
     let of = |count, line, word: &str| vec![Note { kind, count, first: format!("in line {line}: {word}") }];
     assert_eq!(skipped(&format!("o a\rs off\rV 0 0 0\r{plain}")), of(1, 3, "\"V\""));
     assert_eq!(skipped(&format!("vt 1\n{plain}vx 1\n\nfacet 1 2 3\n")), of(2, 6, "\"vx\""));
-    // A mark counts only where the file begins.
+    // A byte order mark is valid only at the beginning of the file.
     assert_eq!(skipped(&format!("\n\u{feff}g\n{plain}")), of(1, 2, "\"\\u{feff}g\""));
     let long = "x".repeat(100_000);
     assert!(skipped(&format!("{long}\n{plain}"))[0].to_string().len() < 200);
@@ -92,7 +92,7 @@ fn what_the_format_does_not_have_is_counted() {
 
 #[test]
 fn coordinates_are_the_nearest_floats() {
-    // Just above the middle between 1 and the next float: a detour through a double would round down.
+    // Just above the midpoint between 1 and the next float. Rounding to a double first would then round down.
     let text = "v 1.000000059604644775390625000001 .5 -5.\nf 1 1 1\n";
     let mesh = self::mesh(text.as_bytes()).unwrap();
     assert_eq!(mesh.vertices()[0].to_array(), [1.000_000_1, 0.5, -5.0]);

@@ -1,4 +1,4 @@
-//! The header: which elements follow, and of which types.
+//! The header: the elements and their types.
 
 use crate::error::{Fault, Place, ReadError};
 use crate::text::{Lines, quote};
@@ -34,13 +34,13 @@ pub(super) enum Kind {
 
 #[derive(Clone, Copy)]
 pub(super) enum Property {
-    /// `x`, `y` or `z` of a vertex.
+    /// The `x`, `y` or `z` of a vertex.
     Coordinate { axis: usize, scalar: Scalar },
     /// The vertex indices of a face.
     Corners { length: Scalar, item: Scalar },
-    /// To be skipped.
+    /// A scalar to skip.
     Scalar(Scalar),
-    /// To be skipped.
+    /// A list to skip.
     List { length: Scalar, item: Scalar },
 }
 
@@ -155,7 +155,7 @@ impl Draft {
         Ok(())
     }
 
-    /// Checks that what makes a mesh is there.
+    /// Checks that the elements and properties of a mesh are present.
     fn finish(self) -> Result<Header, Fault> {
         let Some(encoding) = self.encoding else {
             return Err(Fault::unexpected("no format", "one of ascii, binary_little_endian, binary_big_endian"));
@@ -180,7 +180,7 @@ impl Draft {
 }
 
 impl Element {
-    /// The place of one of them.
+    /// Returns the place of one element.
     pub(super) fn place(&self, line: Option<u64>, index: u64) -> Place {
         Place::Element { line, name: self.name.clone(), index, count: self.count }
     }
@@ -209,7 +209,7 @@ impl Scalar {
         })
     }
 
-    /// How a message calls a number of this type.
+    /// Describes a number of this type in messages.
     pub(super) fn expected(self) -> &'static str {
         match self {
             Self::I8 => "a char",

@@ -4,8 +4,8 @@ use crate::tests::survives_corruption;
 use glam::Vec3;
 use stackless_bvh::geom::Mesh;
 
-/// All that a header may hold: other elements before, between and after, skipped scalars and lists, every length of
-/// type name, polygons, a degenerate face and an unused vertex.
+/// All features of a header: other elements before, between and after, skipped scalars and lists, all lengths of type
+/// names, polygons, a degenerate face and an unused vertex.
 const RICH: &str = "ply
 format ascii 1.0
 comment made by hand
@@ -63,7 +63,7 @@ end_header
 3 0 1 2
 ";
 
-/// The file with its body in binary.
+/// Converts the body of the file to binary.
 fn encode(ascii: &str, big_endian: bool) -> Vec<u8> {
     let name = if big_endian { "binary_big_endian" } else { "binary_little_endian" };
     let (header, body) = ascii.split_once("end_header\n").unwrap();
@@ -108,7 +108,7 @@ fn encode(ascii: &str, big_endian: bool) -> Vec<u8> {
     bytes
 }
 
-/// Where the body begins.
+/// Returns the offset of the body.
 fn body(bytes: &[u8]) -> usize {
     bytes.windows(11).position(|window| window == b"end_header\n").unwrap() + 11
 }
@@ -121,7 +121,7 @@ pub(super) fn refusal(bytes: impl AsRef<[u8]>) -> String {
     read_ply::<Vec3>(bytes.as_ref()).unwrap_err().to_string()
 }
 
-/// The messages for ascii and for both binary orders, which must agree.
+/// Returns the messages for ascii and for binary. Both binary orders must agree.
 fn refusals(ascii: &str) -> (String, String) {
     let binary = refusal(encode(ascii, false));
     assert_eq!(refusal(encode(ascii, true)), binary);
@@ -158,7 +158,7 @@ fn every_type_serves_as_coordinate_length_and_index() {
 
 #[test]
 fn coordinates_are_rounded_once() {
-    // Just above the middle between 1 and the next float; as a double it would be the middle itself, which goes to even.
+    // Just above the midpoint between 1 and the next float. As a double it would be the midpoint, which rounds to even.
     let text = QUAD.replacen("0 0 0", "1.000000059604644775390625000001 .5 -5.", 1);
     assert_eq!(read(&text).vertices()[0].to_array(), [1.000_000_1, 0.5, -5.0]);
     assert_eq!(read(&text.replace("float", "double")), read(&text));

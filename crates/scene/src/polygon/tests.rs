@@ -1,7 +1,7 @@
 use super::*;
 use crate::tests::Random;
 
-/// Cuts a polygon; its triangles and how many notes there are.
+/// Triangulates a polygon. Returns its triangles and the number of notes.
 fn cut_one(points: &[DVec3]) -> (Vec<[u32; 3]>, usize) {
     let mut triangles: Vec<_> = (2..points.len() as u32).map(|i| [0, i - 1, i]).collect();
     let (faces, mut notes) = (vec![0; triangles.len()], Notes::default());
@@ -14,7 +14,7 @@ fn area(points: &[DVec3], [a, b, c]: [u32; 3]) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// A polygon around the origin of its plane, that no line from there crosses twice: nearly all have many concave corners.
+/// Returns a star-shaped polygon around the origin of its plane. Nearly all have many concave corners.
 fn star(random: &mut Random, corners: usize) -> Vec<DVec3> {
     let mut number = || random.below(1000) as f64 / 1000.0;
     let [x, y] = [DVec3::new(number(), -1.0, number()), DVec3::new(0.5, number(), 1.0)];
@@ -35,7 +35,7 @@ fn triangles_cover_the_polygon_and_nothing_else() {
         let whole: DVec3 = (2..corners as u32).map(|i| area(&points, [0, i - 1, i])).sum();
         let parts: f64 = triangles.iter().map(|&triangle| area(&points, triangle).length()).sum();
         assert!((parts - whole.length()).abs() <= 1e-9 * parts, "{points:?}");
-        // Each turns as the polygon does, and all corners are there.
+        // Each triangle has the orientation of the polygon, and all corners are used.
         assert!(triangles.iter().all(|&triangle| area(&points, triangle).dot(whole) >= -1e-12 * parts * parts));
         let mut used: Vec<_> = triangles.as_flattened().to_vec();
         used.sort_unstable();
@@ -55,7 +55,7 @@ fn size_and_place_do_not_matter() {
     assert_eq!(far, [[0, 1, 3], [1, 2, 3]]);
 }
 
-/// Time does not explode, whatever the corners are.
+/// The time is bounded for any corners.
 #[test]
 fn large_polygons_end() {
     let mut random = Random(2);

@@ -9,7 +9,7 @@ fn note<V: Position>(text: &str) -> Option<String> {
 
 #[test]
 fn decimals_are_counted_and_measured_by_the_scene() {
-    // A diagonal of 5, far off.
+    // A diagonal of 5, far from the origin.
     let text = "v 691607.1 0 0\nv 691610.1 4 0\nv 691607.25 0.1 -0.\nf 1 2 3\n";
     let single = "a.obj: 3 of 9 numbers were rounded to single precision, by at most 5.1e-3 of the scene's size";
     let double = "a.obj: 3 of 9 numbers were rounded to double precision, by at most 1.2e-11 of the scene's size";
@@ -18,7 +18,7 @@ fn decimals_are_counted_and_measured_by_the_scene() {
     assert_eq!(note::<Vec3>(&text.replace(".1", ".25")), None);
     let near = "a.obj: 1 of 9 numbers was rounded to double precision, by at most 4.9e-18 of the scene's size";
     assert_eq!(note::<DVec3>("v 0 0 0\nv 1 0 0\nv 0 1 0.1\nf 1 2 3\n").unwrap(), near);
-    // A scene without size.
+    // A scene of size 0.
     let point = "a.obj: 3 of 3 numbers were rounded to single precision, by at most 1.5e-9";
     assert_eq!(note::<Vec3>("v .1 .1 .1\nf 1 1 1\n").unwrap(), point);
 }
@@ -31,7 +31,7 @@ fn rays_are_measured_by_their_scene() {
     let share = |most: &str| at(format!("{most} of the scene's size"));
     assert_eq!(note("0.1,0,0,0,0,1,0,1\n", 1.0), share("1.5e-9"));
     assert_eq!(note("0.1,0,0,0,0,1,0,1\n", 1e-3), share("1.5e-6"));
-    // Directions and intervals count by themselves.
+    // Directions and intervals are counted separately.
     assert_eq!(note("0,0,0,0,0,0.1,0,1\n", 1e-3), share("1.5e-8"));
     assert_eq!(note("0,0,0,1e-38,0,1000,0,1\n", 1e-3), share("6.5e-49"));
     assert_eq!(note("0,0,0,0,0,1,0,1e30\n", 1.0), share("1.6e-8"));

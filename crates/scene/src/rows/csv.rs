@@ -6,7 +6,7 @@ use super::{Cell, Column, Number, Numbers, Row, RowFault, check};
 use crate::float::{Float, nan};
 use crate::text::quote;
 
-/// Reads a line. The first one, which may hold names, says how many columns all have.
+/// Reads a line. The first one, which may have names, determines the number of columns.
 pub(super) fn read<R: Row>(line: &str, first: &mut Option<usize>) -> Result<Option<Numbers<R>>, RowFault> {
     let (kind, found) = (R::KIND, line.split(',').count());
     if first.map_or_else(|| !kind.allows(found), |columns| found != columns) {
@@ -18,7 +18,7 @@ pub(super) fn read<R: Row>(line: &str, first: &mut Option<usize>) -> Result<Opti
         return Ok(None);
     }
     let number = |(word, column): (&str, &&'static str)| {
-        // A word that is no number is not finite either.
+        // A word that is not a number is treated as one that is not finite.
         let number = Number::parse(word).unwrap_or(Number::exact(nan()));
         check(number, column, || quote(word)).map(|()| number)
     };

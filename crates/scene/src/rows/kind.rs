@@ -1,4 +1,4 @@
-//! The kinds of rows that are read: rays and points.
+//! The kinds of rows: rays and points.
 
 use serde::Deserialize;
 use stackless_bvh::geom::{Ray, Real as _};
@@ -10,14 +10,14 @@ use crate::float::{Float, Position};
 /// A kind of row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// An origin, a direction, and perhaps an interval.
+    /// An origin, a direction, and optionally an interval.
     Ray,
     /// Three coordinates.
     Point,
 }
 
 impl Kind {
-    /// The columns, in order.
+    /// Returns the columns, in order.
     pub const fn columns(self) -> &'static [&'static str] {
         match self {
             Self::Ray => &["ox", "oy", "oz", "dx", "dy", "dz", "tmin", "tmax"],
@@ -25,7 +25,7 @@ impl Kind {
         }
     }
 
-    /// The number of columns that may not be missing.
+    /// Returns the number of required columns.
     pub(super) const fn least(self) -> usize {
         match self {
             Self::Ray => 6,
@@ -37,7 +37,7 @@ impl Kind {
         columns == self.least() || columns == self.columns().len()
     }
 
-    /// How many columns a row should have, after a first one or as the first.
+    /// Describes the expected number of columns, with or without a first row.
     pub(super) fn expected(self, first: Option<usize>) -> String {
         match (first, self.least(), self.columns().len()) {
             (Some(first), least, all) if least < all => format!("{first} as above"),
@@ -53,7 +53,7 @@ impl Kind {
         }
     }
 
-    /// The shape and type of an array of such rows.
+    /// Describes the shape and type of an array of such rows.
     pub(super) const fn array(self) -> &'static str {
         match self {
             Self::Ray => "an array of shape (n, 6) or (n, 8), dtype <f4 or <f8, in C order",
@@ -76,22 +76,22 @@ impl Kind {
 
 /// A row of a file: a [`Ray`] or a [`Point`].
 pub trait Row: Sized + sealed::Sealed<Self::Real> {
-    /// `f32` or `f64`.
+    /// The type of numbers: `f32` or `f64`.
     type Real: Float;
     /// The kind of row.
     const KIND: Kind;
 }
 
-/// A point to ask about.
+/// A query point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Point<V>(pub V);
 
 mod sealed {
     use super::{Number, Rounding, RowFault};
 
-    /// How a row is made.
+    /// Construction of rows.
     pub trait Sealed<F>: Sized {
-        /// Makes a row of these numbers, of all columns or of the least, and counts those that were rounded.
+        /// Builds a row from all columns or the required ones, and counts the rounded numbers.
         #[expect(private_interfaces, reason = "only this crate makes rows")]
         fn new(numbers: &[Number<F>], rounding: &mut Rounding) -> Result<Self, RowFault>;
 
@@ -124,7 +124,7 @@ impl<V: Position> sealed::Sealed<V::Real> for Ray<V> {
             direction: [Number<F>; 3],
             #[serde(default)]
             tmin: Number<F>,
-            /// JSON has no infinity.
+            /// JSON cannot represent infinity.
             tmax: Option<Number<F>>,
         }
 

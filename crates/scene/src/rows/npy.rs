@@ -1,7 +1,7 @@
 //! `NumPy` arrays (NEP 1: A simple file format for `NumPy` arrays).
 //!
-//! By hand: of the format, rows and tables take a line of header and plain numbers. `npyz` 0.9 brings 16 crates for it, a
-//! generator of parsers among them.
+//! Implemented here, because rows and tables need only a header line and plain numbers. `npyz` 0.9 would add 16 crates,
+//! including a parser generator.
 
 use std::io::{self, BufRead, Read as _, Write};
 use std::path::Path;
@@ -14,7 +14,7 @@ use crate::text::quote;
 
 const MAGIC: &[u8] = b"\x93NUMPY";
 
-/// Longest header, in bytes: those of arrays of numbers take about a hundred.
+/// The maximum length of a header, in bytes. Headers of numeric arrays take about a hundred.
 const LONGEST: u64 = 1 << 16;
 
 #[derive(Deserialize)]
@@ -53,7 +53,7 @@ pub(super) fn read<R: Row>(reader: &mut impl BufRead, file: &Path) -> Result<Loa
         ("<f8", &[rows, columns], false) if R::KIND.allows(columns as usize) => (8, rows, columns as usize),
         _ => return Err(refused(quote(text.trim()), wanted)),
     };
-    // No count is believed before its bytes are there.
+    // No count is trusted before its bytes are there.
     let mut loaded = LoadedRows::new();
     let mut row = vec![0; bytes * columns];
     for number in 0..rows {
@@ -73,7 +73,7 @@ pub(super) fn read<R: Row>(reader: &mut impl BufRead, file: &Path) -> Result<Loa
     Ok(loaded)
 }
 
-/// The number in 4 or 8 bytes.
+/// Decodes a number of 4 or 8 bytes.
 fn number_of(bytes: &[u8]) -> f64 {
     match *bytes {
         [a, b, c, d] => f32::from_le_bytes([a, b, c, d]).into(),
@@ -82,7 +82,8 @@ fn number_of(bytes: &[u8]) -> f64 {
     }
 }
 
-/// Reads a header, which is a Python literal: of such arrays it is JSON but for its brackets, quotes and commas.
+/// Parses a header, which is a Python literal. For these arrays it differs from JSON only in brackets, quotes and
+/// commas.
 fn parse(text: &str) -> Option<Header> {
     let compact: String = text.split_ascii_whitespace().collect();
     let json = compact.replace('\'', "\"").replace('(', "[").replace(')', "]");
@@ -102,7 +103,7 @@ pub(super) fn write<F: Float, const N: usize>(
     });
     let (fields, count) = (fields.join(", "), rows.len());
     let mut header = format!("{{'descr': [{fields}], 'fortran_order': False, 'shape': ({count},), }}");
-    // With magic, version and length it ends where a multiple of 64 bytes does, so that arrays can be mapped.
+    // Magic, version, length and header end at a multiple of 64 bytes, so arrays can be mapped into memory.
     let length = (10 + header.len() + 1).next_multiple_of(64) - 10;
     header.push_str(&" ".repeat(length - header.len() - 1));
     writer.write_all(MAGIC)?;
@@ -121,7 +122,7 @@ pub(super) fn write<F: Float, const N: usize>(
                     writer.write_all(number.bytes().as_ref())?;
                 }
                 Column::Word(_, letters) => {
-                    // In UTF-32, filled up with zeros.
+                    // In UTF-32, padded with zeros.
                     let word = if let Cell::Word(word) = cell { word } else { "" };
                     for letter in word.chars().map(u32::from).chain(std::iter::repeat(0)).take(letters) {
                         writer.write_all(&letter.to_le_bytes())?;

@@ -10,14 +10,14 @@ use crate::float::Float;
 pub enum Column {
     /// Integers.
     Integer(&'static str),
-    /// Numbers, and what stands for a missing one in an array: infinity or NaN.
+    /// Numbers, with the value for missing ones in an array: infinity or NaN.
     Number(&'static str, f64),
-    /// Words, and the length of the longest one in letters.
+    /// Words, with the length of the longest one in letters.
     Word(&'static str, usize),
 }
 
 impl Column {
-    /// Its name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Integer(name) | Self::Number(name, _) | Self::Word(name, _) => name,
@@ -28,11 +28,11 @@ impl Column {
 /// A value in a table.
 #[derive(Clone, Copy, Debug)]
 pub enum Cell<F = f32> {
-    /// Of a column of integers.
+    /// A value in a column of integers.
     Integer(i64),
-    /// Of a column of numbers.
+    /// A value in a column of numbers.
     Number(F),
-    /// Of a column of words, in ASCII.
+    /// A value in a column of words, in ASCII.
     Word(&'static str),
     /// No value: empty in comma-separated values, null in JSON.
     Missing,
@@ -40,8 +40,8 @@ pub enum Cell<F = f32> {
 
 /// Writes a table, one row per answer.
 ///
-/// A number reads back as the very same float: as text it has the least number of digits for that. In an array, a row is
-/// a record; missing integers are -1 there and missing words are empty.
+/// A number written as text reads back as the same float, with the least number of digits for that. In an array a row
+/// is a record, missing integers are -1, and missing words are empty.
 ///
 /// ```
 /// use stackless_scene::{Cell, Column, Format, write_table};
@@ -54,7 +54,7 @@ pub enum Cell<F = f32> {
 /// ```
 ///
 /// # Errors
-/// Those of the writer.
+/// The errors of the writer.
 pub fn write_table<F: Float, const N: usize>(
     writer: impl Write,
     columns: [Column; N],

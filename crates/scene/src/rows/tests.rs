@@ -25,7 +25,7 @@ fn names_blank_lines_and_comments_are_skipped() {
         ]
     );
     assert_eq!(read(&text.replace("ox,oy,oz,dx,dy,dz,tmin,tmax", "#")).unwrap(), rays);
-    // However lines end, and whatever the size of what is read at once.
+    // For all line ends and all sizes of the reader's buffer.
     let plain = text.replace("\r\n", "\n");
     for end in ["\n", "\r", "\r\n", "\r\r\n"] {
         for mark in ["", "\u{feff}"] {
@@ -134,7 +134,7 @@ fn rays_read_back_bit_for_bit() {
     }
 }
 
-/// A ray in each format, with and without its interval.
+/// Returns a ray in each format, with and without its interval.
 fn in_all_formats() -> Vec<(Format, Vec<u8>)> {
     let numbers = [1.0, 2.0, 3.0, 0.5, 0.0, -1.0, 0.0, f64::INFINITY];
     let doubles = |columns: usize| numbers[..columns].iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>();
@@ -153,7 +153,7 @@ fn in_all_formats() -> Vec<(Format, Vec<u8>)> {
     ]
 }
 
-/// A `NumPy` array of one row.
+/// Encodes a `NumPy` array of one row.
 fn array(descr: &str, columns: usize, bytes: Vec<u8>) -> Vec<u8> {
     let header = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': (1, {columns}), }}\n");
     let length = (header.len() as u16).to_le_bytes();
@@ -181,7 +181,7 @@ fn doubles_are_read_as_they_are_and_written_so() {
         o.x, o.y, o.z, d.x, d.y, d.z, numbers[6], numbers[7]
     );
     let bytes = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
-    // All decimals but 1 are rounded.
+    // All decimals except 1 are rounded.
     let files = [
         (Format::Csv, csv.into_bytes(), 7),
         (Format::JsonLines, json.into_bytes(), 7),
@@ -203,7 +203,7 @@ fn doubles_are_read_as_they_are_and_written_so() {
     assert_eq!(npy[npy.len() - 64..][8..16], 0.1_f64.to_le_bytes());
 }
 
-/// Once, whichever number it is: 1.000000059604644775391 is above the middle of two floats, and its nearest double is it.
+/// For example, 1.000000059604644775391 is above the midpoint of two floats, and its nearest double is the midpoint.
 #[test]
 fn text_is_rounded_once() {
     let number = "1.000000059604644775391";
@@ -230,7 +230,7 @@ fn doubles_that_are_rounded_are_counted() {
 fn arrays_and_lines_that_are_cut_or_changed_are_refused_in_one_line() {
     for (format, bytes) in in_all_formats() {
         for end in 0..bytes.len() {
-            // A text may lose its last line feed, or the end of its last number.
+            // Truncated text may lack its last line feed, or the end of its last number.
             let read = read_rows_from::<Ray>(&bytes[..end], "rays", format);
             assert!(format != Format::Npy || read.is_err(), "{end}");
             let message = read.map_or_else(|error| error.to_string(), |_| String::new());
@@ -290,7 +290,7 @@ fn errors_of_arrays_and_objects_say_what_was_expected() {
     assert!(object("\n").contains("no rays, expected at least one line like {"));
 }
 
-/// It would be no bound at all.
+/// After rounding, the end of the interval would be infinite.
 #[test]
 fn an_interval_that_is_finite_and_beyond_the_precision_is_refused() {
     let double = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1e39_f64].map(f64::to_le_bytes).concat();

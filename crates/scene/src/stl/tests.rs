@@ -5,7 +5,7 @@ const TEXT: &str = "solid two\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 
                     endfacet\n facet normal 0 0 1\n  outer loop\n   vertex 1 0 0\n   vertex 1 1 0\n   vertex -0 1 0\n  \
                     endloop\n endfacet\nendsolid two\n";
 
-/// The same two triangles.
+/// Encodes the two triangles of `TEXT` in binary.
 fn binary(header: &str) -> Vec<u8> {
     let mut bytes = header.as_bytes().to_vec();
     bytes.resize(80, 0);
@@ -35,7 +35,7 @@ fn what_is_cut_or_wrong_is_refused_where_it_is() {
     for (good, is_text) in [(TEXT.as_bytes().to_vec(), true), (binary("x"), false), (binary("solid"), false)] {
         for end in 0..good.len() {
             let read = read_stl::<Vec3>(&good[..end]);
-            // A text may lose the name behind its last word, and a number its last digits no file has here.
+            // Truncated text may lack the name after its last word. Truncated numbers do not occur in this file.
             assert!(read.is_err() || is_text && end >= TEXT.find("endsolid").unwrap() + "endsolid".len(), "{end}");
         }
     }
@@ -64,7 +64,7 @@ fn what_is_cut_or_wrong_is_refused_where_it_is() {
     }
 }
 
-/// What is binary by its length is no text with other ends of lines, even if it looks like one.
+/// A file with a binary length is never treated as text with other line ends, even if it looks like text.
 #[test]
 fn a_binary_file_may_look_like_a_text() {
     let mut bytes = b"solid".to_vec();

@@ -16,8 +16,8 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 const SIGN: u32 = 1 << 31;
 
-/// The keys that are hashed, ascending, each with the word of its node. Long ones are folded under a seed, which is
-/// nothing to the others.
+/// Returns the hashed keys in ascending order, each with the word of its node. Long keys are folded with a seed, which
+/// short keys ignore.
 pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -> Vec<(u64, u32)> {
     let word = |node: u32| if children[node as usize].is_some() { SIGN | node } else { !node };
     let hashed = hashed(children, reach).into_iter();
@@ -26,12 +26,12 @@ pub(crate) fn keys_of(children: &Children, reach: Option<[u32; 2]>, seed: u64) -
     hashed
 }
 
-/// Whether a key is hashed that has more than 64 bits.
+/// Returns whether a key of more than 64 bits is hashed.
 pub(crate) fn folds(children: &Children, reach: Option<[u32; 2]>) -> bool {
     hashed(children, reach).iter().any(|(key, _)| key.0.len() > 64)
 }
 
-/// The keys that are hashed, with their nodes: those of a reach (HASH-3, by its first sentence), or all.
+/// Returns the hashed keys with their nodes: the keys of a reach (HASH-3, first sentence), or all keys.
 fn hashed(children: &Children, reach: Option<[u32; 2]>) -> Vec<(Bits, u32)> {
     let depths = depths(children);
     let mut keys = vec![(Bits::root(), 0_u32, None)];
@@ -54,8 +54,8 @@ fn hashed(children: &Children, reach: Option<[u32; 2]>) -> Vec<(Bits, u32)> {
     keys.into_iter().filter(|&(.., sibling)| is_hashed(sibling)).map(|(key, node, _)| (key, node)).collect()
 }
 
-/// A key of up to 64 bits is itself; of a longer one, pieces from the root down and then the length are mixed in.
-/// `[HASH-6]`
+/// Folds a key. Keys of up to 64 bits do not change. The pieces of longer keys are mixed from the root down, then the
+/// length. `[HASH-6]`
 fn folded(key: &Bits, seed: u64) -> u64 {
     let number = |bits: &[bool]| bits.iter().fold(0, |number, &bit| 2 * number + u64::from(bit));
     if key.0.len() <= 64 {
@@ -104,12 +104,12 @@ fn function() -> Profile {
     author.done()
 }
 
-/// A key after the bijection of a seed.
+/// Applies the bijection of a seed to a key.
 pub(crate) fn mixed(key: u64, seed: u64, narrow: bool) -> u64 {
     if narrow { u64::from(mix_32(key as u32, seed as u32)) } else { mix_64(key, seed) }
 }
 
-/// As `INTERPRETING.md` has it.
+/// Implements the 64-bit mix of `INTERPRETING.md`.
 pub(super) fn mix_64(key: u64, seed: u64) -> u64 {
     let mut k = key ^ seed;
     k ^= k >> 30;
@@ -119,7 +119,7 @@ pub(super) fn mix_64(key: u64, seed: u64) -> u64 {
     k ^ k >> 31
 }
 
-/// As `INTERPRETING.md` has it.
+/// Implements the 32-bit mix of `INTERPRETING.md`.
 fn mix_32(key: u32, seed: u32) -> u32 {
     let mut k = key ^ seed;
     k ^= k >> 16;
@@ -191,7 +191,7 @@ fn trees() -> Vec<(String, Children)> {
 
 const REACHES: [[u32; 2]; 4] = [[1, 1], [1, 2], [2, 2], [2, 3]];
 
-/// Those in which inner nodes alone decide, or leaves alone.
+/// Reaches where only inner nodes decide, or only leaves.
 const UNEVEN: [[u32; 2]; 3] = [[1, 3], [3, 1], [3, 3]];
 
 fn keys() -> Profile {
@@ -253,8 +253,8 @@ fn lookup() -> Profile {
     author.done()
 }
 
-/// A table of direct addresses for the keys 1, 2, 3 under the seed 0: of the first size that keeps them apart, and
-/// would not without.
+/// Returns a table of direct addresses for the keys 1, 2, 3 with seed 0. It has the least size that separates the mixed
+/// keys, and would not separate the unmixed ones.
 fn of_seed_0(bits: u32) -> LookupTable {
     let keys = [1, 2, 3];
     let of_size = |size: u64| {
@@ -284,7 +284,7 @@ fn build() -> Profile {
             let clauses = ["HASH-1", "HASH-5", "HASH-7", "HASH-9"];
             author.case(&format!("{name}-{set}"), &clauses, why, &ask, Expect::Valid(true));
         }
-        // The sizes of H: D is the highest power of two below N/2, H = 2N + 1.
+        // The table sizes: D is the highest power of two below N/2, H = 2N + 1.
         let nodes = children.len() as u32;
         let sizes = [half(nodes as usize) as u32, 2 * nodes + 1];
         if is_inseparable(&keys_of(&children, None, 0), sizes) {
@@ -296,7 +296,7 @@ fn build() -> Profile {
     author.done()
 }
 
-/// Trees whose keys do not all fit 64 bits.
+/// Trees with keys of more than 64 bits.
 fn build_deep() -> Profile {
     let mut author = Author::new(Level::Hash, "build-deep");
     for depth in [64, 65, 125, 126, 127, 200] {

@@ -30,7 +30,8 @@ fn profile(name: &str, width: usize) -> Profile {
         let why = "Each level of the mask changes sides.";
         author.case(&format!("swap-{label}"), &clauses, why, &ask, result([("index", hex(&swapped))]));
     }
-    // Trail and counter have a bit for each level below the root: one level more than a key of as many bits.
+    // Trail and counter have a bit for each level below the root: one level more than a key with the same number of
+    // bits.
     for (name, bit) in patterns(width as u64) {
         let trail = Bits((0..=width).map(|i| i > 0 && bit(i)).collect());
         of_counter(&mut author, &format!("{name}-{width}"), &trail);
@@ -101,7 +102,7 @@ fn of_trail(author: &mut Author, label: &str, key: &Bits, trail: &Bits, width: u
     author.case(&format!("backtrack-{label}"), &["TRAIL-4", "TRAIL-5"], why, &ask, answer);
 }
 
-/// A trail of one bit more than the counter.
+/// Cases of a trail with one more bit than the counter.
 fn of_counter(author: &mut Author, label: &str, trail: &Bits) {
     let (text, depth) = (trail.hex(), (trail.0.len() - 1) as u32);
     let counter = Bits(trail.0[1..].to_vec()).complement();
@@ -114,7 +115,7 @@ fn of_counter(author: &mut Author, label: &str, trail: &Bits) {
     author.case(&format!("counter-levels-{label}"), &["TRAIL-6"], why, &ask, result([("levels", levels)]));
 }
 
-/// Keys at the depths where words begin and end.
+/// Keys at depths around the word sizes.
 fn keys(width: usize, rng: &mut Rng) -> Vec<(String, Bits)> {
     let mut keys = vec![("root".to_owned(), Bits::root())];
     for depth in [1, 2, width / 2, width - 2, width - 1] {
@@ -125,7 +126,7 @@ fn keys(width: usize, rng: &mut Rng) -> Vec<(String, Bits)> {
     keys
 }
 
-/// Keys and trails of one length: a trail has a bit for each of the key's, none for the root.
+/// Keys and trails of equal depth. The trail has a bit for each bit of the key except the root's.
 fn trails(width: usize, rng: &mut Rng) -> Vec<(String, Bits, Bits)> {
     let mut trails = vec![("root".to_owned(), Bits::root(), Bits::zeros(1))];
     for depth in [1, 2, 3, width / 2, width - 2, width - 1] {

@@ -1,8 +1,9 @@
-//! The cases, and what has to be answered, from references that are as plain as can be.
+//! The cases and their expectations, computed by references that are as simple as possible.
 //!
-//! Nothing here calls what it makes cases about: words are lists of bits, traversals a recursion that keeps its
-//! postponed nodes in a list (`reference`), tables the first that fit (`table`), rays whole numbers without limit
-//! (`truth`). The library gives only its choices: the random trees, tapes and scenes of `generate`. `[CONF-4]`
+//! The references share no code with the implementations under test. Words are lists of bits. Traversals are a
+//! recursion with a list of postponed nodes (`reference`). Tables are the first that fit (`table`). Rays are integers
+//! without limit (`truth`). The library supplies only random choices: the trees, tapes and scenes of `generate`.
+//! `[CONF-4]`
 
 mod hash;
 mod key;
@@ -29,7 +30,7 @@ pub(super) use wide::levels_if_tree;
 use super::text::object;
 use super::{Ask, Expect, Feature, Level, Profile, Strength, Suite, SuiteCase, VERSION};
 
-/// The whole suite: the same on every machine.
+/// Generates the whole suite, equal on every machine.
 pub fn suite() -> Suite {
     let levels = [
         key::profiles(),
@@ -45,7 +46,7 @@ pub fn suite() -> Suite {
     Suite { profiles }
 }
 
-/// `level/profile` of all files.
+/// Returns the names `level/profile` of all files.
 pub(super) fn names() -> Vec<String> {
     let all = |(level, profiles): &(Level, &[&str])| -> Vec<String> {
         profiles.iter().map(|profile| format!("{level}/{profile}")).collect()
@@ -53,7 +54,7 @@ pub(super) fn names() -> Vec<String> {
     PROFILES.iter().flat_map(all).collect()
 }
 
-/// Every profile that there is.
+/// All profiles.
 pub(super) const PROFILES: [(Level, &[&str]); 5] = [
     (Level::Key, &["u32", "u64", "u128", "wide"]),
     (Level::Hash, &["function", "fold", "address", "keys", "lookup", "build", "build-deep", "wide", "wide-deep"]),
@@ -103,7 +104,7 @@ impl Author {
         &mut cases[at]
     }
 
-    /// The profile, without cases that ask what another one before them asks.
+    /// Returns the profile without repeated inputs.
     fn done(self) -> Profile {
         let mut seen = HashSet::new();
         let Self(mut profile) = self;
@@ -122,7 +123,7 @@ impl SuiteCase {
     }
 }
 
-/// A result of these fields.
+/// Builds a result with these fields.
 fn result<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Expect {
     Expect::Result(object(fields))
 }

@@ -1,5 +1,5 @@
-//! Cases of `ray/exact` about the order of hits: by exact distances, and of equal ones by the numbers of triangles.
-//! The distances of two hits mostly differ by less than a float can hold.
+//! Cases of `ray/exact` about the order of hits: by exact distance, and ties by triangle index. Most distances of two
+//! hits differ by less than an ulp.
 
 use glam::Vec3;
 
@@ -9,7 +9,7 @@ use super::tolerant::{scaled, sphere};
 use super::truth::{Mesh, Ray};
 use stackless_bvh::generate::{Rng, Source};
 
-/// Corners of a triangle.
+/// The corners of a triangle.
 type Face = [Vec3; 3];
 
 const WHOLE: [f32; 2] = [0.0, f32::INFINITY];
@@ -26,7 +26,7 @@ pub(super) fn cases(author: &mut Author) {
     ends(author);
 }
 
-/// Twice: the second time with the triangles in the opposite order.
+/// Adds two cases, with the triangles in both orders.
 fn both_ways(author: &mut Author, name: &str, why: &str, faces: &[Face], rays: &[Ray]) {
     closest(author, name, why, &mesh(faces), rays);
     let turned: Vec<_> = faces.iter().rev().copied().collect();
@@ -61,7 +61,7 @@ fn shells(author: &mut Author) {
     both_ways(author, "order-shells", why, &shells.concat(), &rays);
 }
 
-/// A landscape over whole numbers, with rays at its corners and at the middles of its edges.
+/// Adds a landscape with integer vertices, and rays at its corners and at the midpoints of its edges.
 fn edges(author: &mut Author) {
     let rng = &mut Rng::new(7101);
     let heights: Vec<_> = (0..16).map(|_| 2.0 * rng.below(3) as f32).collect();
@@ -84,7 +84,7 @@ fn edges(author: &mut Author) {
     closest(author, "order-edges-thin", why, &mesh(&[moved(&land, -Vec3::Z / 1_048_576.0), land].concat()), &rays);
 }
 
-/// Triangles of all kinds that overlap in a skew plane.
+/// Adds triangles of all kinds that overlap in an oblique plane.
 fn planes(author: &mut Author) {
     let rng = &mut Rng::new(7102);
     let axes = [Vec3::new(5.0, 1.0, -3.0), Vec3::new(-2.0, 7.0, 4.0)];
@@ -103,7 +103,7 @@ fn planes(author: &mut Author) {
     closest(author, "order-plane-thin", why, &mesh(&[behind, overlapping].concat()), &rays);
 }
 
-/// Triangles in any planes that have nothing in common but a point, and rays through it.
+/// Adds triangles in random planes with one common point, and rays through this point.
 fn points(author: &mut Author) {
     let rng = &mut Rng::new(7103);
     let (mut apart, mut thin, mut rays) = (Vec::new(), Vec::new(), Vec::new());
@@ -156,7 +156,7 @@ fn stacks(author: &mut Author) {
     closest(author, "order-stack-mixed", why, &mesh(&stack), &rays);
 }
 
-/// Distances that round to 0, to infinity, and to a subnormal number.
+/// Adds distances that round to 0, to infinity, and to a subnormal number.
 fn ranges(author: &mut Author) {
     let rng = &mut Rng::new(7105);
     let mut stack = |at: f32, step: f32| {
@@ -190,7 +190,7 @@ fn ranges(author: &mut Author) {
     closest(author, "order-subnormal", why, &subnormal, &from(&heights, &[p2_100, 3.0 * p2_100], WHOLE));
 }
 
-/// Distances that round to an end of the interval, and are within it or not.
+/// Adds distances inside and outside the interval that round to its ends.
 fn ends(author: &mut Author) {
     const MAX: f32 = f32::MAX;
     let mut at_ends = |name: &str, why: &str, faces: &[Face], rays: &[Ray]| {
@@ -214,7 +214,7 @@ fn ends(author: &mut Author) {
     let step = 1.0 / fast / 1024.0;
     at_ends("order-ends-0", why, &sheets(&[-3, -2, -1, 1, 2], step), &from([0.5, 0.25, 0.0], fast, &ends));
     at_ends("order-ends-0-met", why, &sheets(&[2, -3, -2, -1, 0, 1], step), &from([0.5, 0.25, 0.0], fast, &ends));
-    // Corners are 16 apart there, and planes through them what lies between.
+    // Corners are 16 apart there. Planes through the corners have the values in between.
     let farthest = -MAX / fast;
     let steep = |a: f32, b: f32, c: f32| {
         [[-1.0, -1.0, a], [3.0, -1.0, b], [-1.0, 3.0, c]].map(|[x, y, k]| Vec3::new(x, y, (16.0 * k) + farthest))
@@ -245,12 +245,12 @@ fn moved(faces: &[Face], by: Vec3) -> Vec<Face> {
     faces.iter().map(|corners| corners.map(|corner| corner + by)).collect()
 }
 
-/// Whole numbers around 0, so many on each axis.
+/// Draws integers around 0, `count` per axis.
 fn drawn(rng: &mut Rng, count: u32) -> Vec3 {
     Vec3::from_array([(); 3].map(|()| rng.below(u64::from(count)) as f32 - (count / 2) as f32))
 }
 
-/// A triangle in the plane of a point and two directions, with corners at whole multiples of these.
+/// Draws a triangle in the plane of a point and two directions, with corners at integer multiples of the directions.
 fn within(rng: &mut Rng, point: Vec3, axes: [Vec3; 2]) -> Face {
     [(); 3].map(|()| {
         let [i, j] = [(); 2].map(|()| rng.below(17) as f32 - 8.0);
@@ -258,7 +258,7 @@ fn within(rng: &mut Rng, point: Vec3, axes: [Vec3; 2]) -> Face {
     })
 }
 
-/// A ray from whole numbers through a point of whole numbers, which is at a distance that is no float.
+/// Draws a ray from an integer point through another one whose distance is not a float.
 fn towards(rng: &mut Rng, from: Vec3, to: Vec3) -> Ray {
     ray(from, [3.0, 5.0, 7.0][rng.below(3) as usize] * (to - from), WHOLE)
 }
@@ -274,8 +274,8 @@ mod tests {
     use super::*;
     use crate::{Ask, Level, Query};
 
-    /// What is found by rounded distances and numbers, from the lowest or from the highest, is wrong in each case, or
-    /// exact distances are equal.
+    /// In each case, ordering by rounded distance and index gives a wrong hit from either end, or the exact distances
+    /// are equal.
     #[test]
     fn each_case_tells_orders_apart() {
         let mut author = Author::new(Level::Ray, "exact");

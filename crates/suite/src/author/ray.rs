@@ -14,13 +14,13 @@ pub(super) fn profiles() -> Vec<Profile> {
     vec![grid(), exact(), invalid()]
 }
 
-/// Most triangles of a case: the suite is to be small.
+/// The maximum number of triangles of a case, so the suite stays small.
 const TRIANGLES: usize = 700;
-/// Rays of a case of the stress scenes.
+/// Rays per case of the stress scenes.
 const RAYS: usize = 12;
 
-/// Meshes of small whole numbers, and rays along which nothing is rounded: those that meet triangles inside, and those
-/// that meet corners, edges, and triangles which lie on each other.
+/// Meshes of small integers, with rays that need no rounding. One kind hits triangles inside, the other kind hits
+/// corners, edges and overlapping triangles.
 fn grid() -> Profile {
     let mut author = Author::new(Level::Ray, "grid");
     for (name, why, is_inside) in [
@@ -42,10 +42,10 @@ fn grid() -> Profile {
                 let Some(ray) = grid_ray(&mut rng, &mesh, is_inside) else { continue };
                 let hits = mesh.hits(&ray);
                 let fits = |&Hit { t, u, v, .. }: &Hit| {
-                    // Numbers that have to be rounded differ from device to device.
+                    // Rounded numbers differ between devices.
                     [t, u, v].into_iter().all(is_dyadic) && (!is_inside || u > 0.0 && v > 0.0 && u + v < 1.0)
                 };
-                // Misses are easy.
+                // Few misses, because they are easy.
                 if hits.iter().all(fits) && (!hits.is_empty() || rays.len() % 4 == 0) {
                     rays.push(ray);
                 }
@@ -57,7 +57,7 @@ fn grid() -> Profile {
     author.done()
 }
 
-/// Nothing to hit, nobody who asks, and the ends of what is valid: for the closest hit and for any.
+/// Empty meshes, empty lists of rays, and the limits of valid input, for the closest hit and for any hit.
 fn boundaries(author: &mut Author) {
     const INFINITE: f32 = f32::INFINITY;
     let corners = vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
@@ -89,7 +89,7 @@ fn boundaries(author: &mut Author) {
     }
 }
 
-/// Triangles with corners on a grid; some lie on each other, if they may.
+/// Draws triangles with corners on a grid. Unless `are_apart`, some overlap.
 fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Mesh {
     let corner = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| rng.below(17) as f32 - 8.0));
     let (mut vertices, mut indices) = (Vec::new(), Vec::new());
@@ -106,7 +106,8 @@ fn grid_mesh(rng: &mut Rng, triangles: usize, are_apart: bool) -> Mesh {
     Mesh { vertices, triangles: indices }
 }
 
-/// Along powers of two or zeros, towards a point inside a triangle, a corner, the middle of two corners, or anywhere.
+/// Draws a ray whose direction has powers of two or zeros, toward a point inside a triangle, a corner, the midpoint of
+/// two corners, or any point.
 fn grid_ray(rng: &mut Rng, mesh: &Mesh, is_inside: bool) -> Option<Ray> {
     let direction = Vec3::from_array([(); 3].map(|()| [0.0, 1.0, -1.0, 0.5, -2.0][rng.below(5) as usize]));
     let at = |corner: usize| Vec3::from_array(mesh.vertices[corner]);
@@ -129,7 +130,7 @@ pub(super) fn ray(origin: Vec3, direction: Vec3, [tmin, tmax]: [f32; 2]) -> Ray 
     [a, b, c, x, y, z, tmin, tmax]
 }
 
-/// From a point towards another one, which has the distance 1 but for rounding.
+/// Builds a ray from one point to another, whose distance is 1 up to rounding.
 pub(super) fn from_to(from: Vec3, to: Vec3, ends: [f32; 2]) -> Ray {
     ray(from, to - from, ends)
 }
@@ -138,7 +139,7 @@ fn is_dyadic(x: f32) -> bool {
     (x * 4096.0).fract() == 0.0 && x.abs() < 4096.0
 }
 
-/// The stress scenes that are not large.
+/// The small stress scenes.
 fn exact() -> Profile {
     let mut author = Author::new(Level::Ray, "exact");
     for case in stress::cases(RAYS).filter(|case| case.mesh.triangles().len() <= TRIANGLES) {
@@ -159,8 +160,8 @@ fn exact() -> Profile {
     author.done()
 }
 
-/// Rays and triangles that a hill climb found: rounding gets them wrong by as much of the bounds of [EXACT-4] to
-/// [EXACT-9] as is said. Rows: origin, direction, corners.
+/// Rays and triangles found by hill climbing, whose rounding errors reach the given fraction of the bounds of [EXACT-4]
+/// to [EXACT-9]. Rows: origin, direction, corners.
 const FAR_OFF: [(&str, &str, [[u32; 3]; 5]); 3] = [
     (
         "far-off",
@@ -197,7 +198,7 @@ const FAR_OFF: [(&str, &str, [[u32; 3]; 5]); 3] = [
     ),
 ];
 
-/// Name, why, and where the ray meets its triangle, as parts of the corners: something that decides is 0 there.
+/// Name, reason, and the hit point as weights of the corners. Some sign test has the value 0 there.
 type Zero = (&'static str, &'static str, [f32; 3]);
 
 const ZEROS: [Zero; 2] = [
@@ -205,7 +206,8 @@ const ZEROS: [Zero; 2] = [
     ("through-edge", "Rays pass through an edge, and double precision finds them outside.", [0.5, 0.5, 0.0]),
 ];
 
-/// Of many triangles of large whole numbers, each with a ray, those of which double precision is most wrong.
+/// Draws many triangles of large integers, each with a ray, and selects those with the greatest errors in double
+/// precision.
 fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> (Mesh, Vec<Ray>) {
     let point = |rng: &mut Rng| Vec3::from_array([(); 3].map(|()| (rng.below(1 << 19) as f32 - 262_144.0) * 4.0));
     let mut drawn = Vec::new();
@@ -222,8 +224,8 @@ fn zeros(rng: &mut Rng, [a, b, c]: [f32; 3]) -> (Mesh, Vec<Ray>) {
     (Mesh { vertices, triangles }, drawn.into_iter().map(|(.., ray)| ray).collect())
 }
 
-/// How far outside, or before its beginning, a ray seems to meet a triangle in double precision, beside what is
-/// multiplied there.
+/// Returns the distance by which a hit seems to be outside the triangle or before the ray in double precision, relative
+/// to the factors.
 fn off([o, d]: [Vec3; 2], [v0, v1, v2]: [Vec3; 3]) -> f64 {
     let [o, d, v0, v1, v2] = [o, d, v0, v1, v2].map(Vec3::as_dvec3);
     let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);
@@ -235,7 +237,7 @@ fn off([o, d]: [Vec3; 2], [v0, v1, v2]: [Vec3; 3]) -> f64 {
     -least.min(t)
 }
 
-/// The closest hits, and, of the first rays, whether there is any.
+/// Adds cases of the closest hits, and of any hit for the first rays.
 fn traced(author: &mut Author, name: &str, why: &str, mesh: &Mesh, rays: &[Ray]) {
     closest(author, name, why, mesh, rays);
     if author.0.cases.len() % 8 == 1 {
@@ -247,7 +249,7 @@ pub(super) fn closest(author: &mut Author, name: &str, why: &str, mesh: &Mesh, r
     let closest = |ray| mesh.hits(ray).first().map_or(Value::Null, |it| hit(it.prim, [it.t, it.u, it.v]));
     let hits: Vec<Value> = rays.iter().map(closest).collect();
     let ask = Ask::Ray(asked(mesh, rays, Query::Closest));
-    // What stands in the place of an expectation by rounded distances.
+    // This case replaces an expectation by rounded distances.
     let is_withdrawn = Withdrawn::of(&format!("{}/{}/{name}", author.0.level, author.0.profile)).is_some();
     let name = if is_withdrawn { &format!("{name}-ordered") } else { name };
     let clauses: &[&str] = if name.starts_with("order-") || is_withdrawn {
@@ -273,7 +275,7 @@ pub(super) fn asked(mesh: &Mesh, rays: &[Ray], query: Query) -> Rays {
     }
 }
 
-/// Mesh and rays of a stress scene.
+/// Returns the mesh and the rays of a stress scene.
 pub(super) fn scene(case: &stress::StressCase) -> (Mesh, Vec<Ray>) {
     let vertices = case.mesh.vertices().iter().map(glam::Vec3::to_array).collect();
     let mesh = Mesh { vertices, triangles: case.mesh.triangles().to_vec() };
@@ -281,14 +283,14 @@ pub(super) fn scene(case: &stress::StressCase) -> (Mesh, Vec<Ray>) {
     (mesh, rays.collect())
 }
 
-/// Changes corners, triangle, or ray.
+/// A change of corners, triangle, or ray.
 type Spoil = fn(&mut [[f32; 3]; 3], &mut [u32; 3], &mut [f32; 8]);
 
 fn invalid() -> Profile {
     let mut author = Author::new(Level::Ray, "invalid");
     let vertices = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let ray = [0.25, 0.25, -1.0, 0.0, 0.0, 1.0, 0.0, f32::INFINITY];
-    // Vertices, triangles and rays that are right stand before what has the fault.
+    // Valid vertices, triangles and rays precede the invalid one.
     let mut fault_after = |right: Rays, name: &str, why: &str, code: &str, change: Spoil| {
         let (mut vertices, mut triangle, mut ray) = (vertices, [0, 1, 2], ray);
         change(&mut vertices, &mut triangle, &mut ray);

@@ -1,10 +1,11 @@
-//! What a search visits: a recursion over the children's numbers, with the postponed nodes of the path in a list.
+//! The reference for visits of a search: a recursion over child indices, with a list of the postponed nodes of the
+//! path.
 
 use crate::ask::{Best, Children};
 use crate::bits::Bits;
 use stackless_bvh::generate::Cell;
 
-/// What a search decides at a node.
+/// The decisions of a search.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Search<'a> {
     /// A character for each node.
@@ -13,14 +14,14 @@ pub(super) enum Search<'a> {
     Cells { cells: &'a [Cell], any: bool, rule: Rule },
 }
 
-/// When nodes are tested, and what is given up.
+/// When nodes are tested, and which nodes are pruned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Rule {
     /// Children at their parent.
     Children,
-    /// The same; marked second children are given up after a hit.
+    /// Children at their parent. Marked second children are pruned after a hit.
     Disjoint,
-    /// The same; what begins beyond the best hit is not visited.
+    /// Children at their parent. Nodes beyond the best hit are pruned.
     Distance,
     /// Nodes at their visit, left first.
     NodeLeft,
@@ -28,7 +29,7 @@ pub(super) enum Rule {
     NodeSign(u8),
 }
 
-/// What is seen at a visit, before it.
+/// The state at a visit, before it.
 #[derive(Clone, Debug)]
 pub(super) struct Visit {
     pub(super) node: u32,
@@ -36,9 +37,9 @@ pub(super) struct Visit {
     pub(super) trail: Bits,
     pub(super) marks: Bits,
     pub(super) best: Option<Best>,
-    /// Trail and best hit after it, where it is a leaf.
+    /// Trail and best hit after the visit of a leaf.
     pub(super) after: Option<(Bits, Option<Best>)>,
-    /// Number of events before it, a backtrack to it included.
+    /// Number of events before the visit, including a backtrack to it.
     pub(super) events: usize,
 }
 
@@ -47,15 +48,15 @@ pub(super) struct Visit {
 pub(super) struct Reference<'a> {
     pub(super) children: &'a Children,
     search: Search<'a>,
-    /// Key of the node that is looked at; the first bit is the root's.
+    /// Key of the current node. The first bit is the root's.
     key: Vec<bool>,
-    /// For each bit of the key: whether the node's sibling is postponed, and from where on it is.
+    /// For each bit of the key: the begin of the postponed sibling, if it is postponed.
     postponed: Vec<Option<u32>>,
-    /// For each bit of the key: whether the descent to it was marked.
+    /// For each bit of the key: whether the descent was marked.
     marks: Vec<bool>,
     /// Nodes of the path.
     path: Vec<u32>,
-    /// Depth of the node visited last.
+    /// Depth of the last visited node.
     depth: usize,
     pub(super) best: Option<Best>,
     pub(super) events: Vec<String>,
@@ -66,14 +67,15 @@ pub(super) struct Reference<'a> {
 type Stopped = bool;
 
 impl<'a> Reference<'a> {
-    /// A search from the root to its end.
+    /// Runs a search from the root to its end.
     pub(super) fn run(children: &'a Children, search: Search<'a>) -> Self {
         let root = Bits::root();
         let zero = Bits::zeros(1);
         Self::resume(children, search, &root, &zero, &zero, None, true)
     }
 
-    /// From a state on: trail and marks have a bit for each of the key's. The node is visited, or has been looked into.
+    /// Resumes from a state. Trail and marks have a bit for each bit of the key. The node is to be visited, or its
+    /// visit is over.
     pub(super) fn resume(
         children: &'a Children,
         search: Search<'a>,
@@ -118,7 +120,7 @@ impl<'a> Reference<'a> {
         false
     }
 
-    /// Visits the sibling of the present node if that is postponed still.
+    /// Visits the sibling of the current node if it is still postponed.
     fn turn_back(&mut self) -> Stopped {
         let last = self.key.len() - 1;
         let Some(begins) = self.postponed[last].take() else { return false };

@@ -15,8 +15,8 @@ pub(super) fn profiles() -> Vec<Profile> {
     vec![states(), disjoint(), keys(), invalid()]
 }
 
-/// Before a visit, or after it where the node is a leaf: the events that are left follow from the number of those
-/// before.
+/// Selects pauses before a visit, or after it at a leaf. The number of events before the pause determines the remaining
+/// events.
 pub(super) fn moments(
     visits: impl Iterator<Item = u32>,
     is_leaf: impl Fn(u32) -> bool,
@@ -55,7 +55,7 @@ fn states() -> Profile {
         }
     }
     for (depth, (side, goes_right)) in chains() {
-        // All the bits of a word, or only the highest.
+        // All bits of a word, or only the highest.
         let [both, one] = if goes_right { ['R', 'r'] } else { ['L', 'l'] };
         let children = comb(depth, |_| goes_right);
         let text = script(&children, |node| if goes_right || node == 0 { both } else { one }, |_| '.');
@@ -70,13 +70,13 @@ fn states() -> Profile {
 
 const FROM_THE_BOTTOM: &str = "From the bottom of a chain, longer than a word or just not.";
 
-/// Chains around the ends of words, to each side. A tree of just as many levels as a trail has bits can be traversed
-/// without keys, though its keys do not fit: whoever does so is asked to go on too.
+/// Chains around the depth limits of the words, on each side. If a tree's levels equal the bits of the trail, it can be
+/// traversed without keys, although its keys do not fit. Implementations that support it must also resume it.
 fn chains() -> impl Iterator<Item = (u32, (&'static str, bool))> {
     [31, 32, 33, 63, 64, 65].into_iter().flat_map(|depth| SIDES.map(|side| (depth, side)))
 }
 
-/// A search by a script is taken up before or after a visit.
+/// Adds a case that resumes a scripted search before or after a visit.
 fn state(author: &mut Author, name: &str, why: &str, run: &Reference<'_>, text: &str, i: usize, next: Start) {
     let visit = &run.visits[i];
     let left = &run.events[visit.events + usize::from(next == Start::Backtrack)..];
@@ -101,7 +101,7 @@ fn disjoint() -> Profile {
     for seed in 0..24 {
         let (kind, scene) = drawn(seed);
         let run = run(&scene);
-        // What is put aside after a leaf has been pruned before: that is a state before the next visit.
+        // A pause after a leaf follows the pruning, so its state is that before the next visit.
         for (i, _) in moments(nodes_of(&run), |_| false, 4) {
             let why = "The second trail says what a hit will end.";
             taken_up(&mut author, &format!("{kind}-{seed}-{i}"), why, &scene, &run, i, Start::Visit);
@@ -130,7 +130,7 @@ fn disjoint() -> Profile {
         each(name, why, &scene, &last);
     }
     for (depth, (side, goes_right)) in chains() {
-        // The highest bit of the second trail, or of the trail, is the one that counts.
+        // Only the highest bit of the second trail, or of the trail, matters.
         let scene = spine(depth, goes_right, |level| (level == 0) != goes_right);
         let bottom = |_: &Reference<'_>| vec![(depth as usize, Start::Visit), (depth as usize, Start::Backtrack)];
         each(&format!("chain-{side}-{depth}"), FROM_THE_BOTTOM, &scene, &bottom);
@@ -142,7 +142,7 @@ fn run(scene: &Scene) -> Reference<'_> {
     Reference::run(&scene.children, Search::Cells { cells: &scene.cells, any: false, rule: Rule::Disjoint })
 }
 
-/// A search over cells is taken up before or after a visit.
+/// Adds a case that resumes a search over cells before or after a visit.
 fn taken_up(author: &mut Author, name: &str, why: &str, scene: &Scene, run: &Reference<'_>, i: usize, next: Start) {
     let visit = &run.visits[i];
     let (trail, hit) = match (next, &visit.after) {
@@ -164,7 +164,7 @@ fn taken_up(author: &mut Author, name: &str, why: &str, scene: &Scene, run: &Ref
     author.case(name, &clauses, why, &ask, result([("events", json!(left)), ("hit", json!(run.best))]));
 }
 
-/// Something is hit in node 1. Node 3 is the first child of a marked descent.
+/// The hit is in node 1. Node 3 is the first child of a marked descent.
 fn known_hits() -> [(&'static str, &'static str, Scene); 4] {
     let node = |enter, exit, hit| Cell { enter, exit: Some(exit), hit, ..Cell::default() };
     let scene = |hit| Scene {
@@ -206,7 +206,7 @@ fn keys() -> Profile {
     author.done()
 }
 
-/// A search by a script is taken up by a key alone.
+/// Adds a case that resumes a scripted search from the key alone.
 fn by_key(author: &mut Author, name: &str, why: &str, children: &Children, text: &str, key: &Bits) {
     let trail = Bits((0..key.0.len()).map(|i| i > 0).collect());
     let marks = Bits::zeros(key.0.len());

@@ -1,16 +1,16 @@
-//! Tables to look keys up in, made step by step: what is asked about them is only where each key leads.
+//! Tables for lookups, built step by step. Cases only query where each key leads.
 
 use super::hash::{mix_64, mixed};
 
-/// Most seeds that are tried.
+/// The maximum number of seeds tried.
 const SEEDS: u64 = 100;
 
-/// How many cells a table has, and how many displacements. `[HASH-2]`
+/// The sizes of a table: its cells and its displacements. `[HASH-2]`
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sizes {
-    /// As printed, by a number of nodes or keys.
+    /// The printed sizes, for a number of nodes or keys.
     Printed(usize),
-    /// For addresses in the table of displacements.
+    /// Sizes for addresses in the table of displacements.
     Tight,
 }
 
@@ -19,12 +19,12 @@ pub(super) enum Sizes {
 pub(super) struct Table {
     pub(super) displacements: Vec<u32>,
     pub(super) cells: Vec<u32>,
-    /// Of the bijection that the keys go through before, if they do.
+    /// The seed of the bijection applied to the keys, if any.
     pub(super) seed: Option<u64>,
 }
 
 impl Sizes {
-    /// All, with their names, for so many nodes of which so many are hashed.
+    /// Returns all sizes with their names, for a number of nodes and of hashed keys.
     pub(super) fn of(nodes: usize, keys: usize) -> [(&'static str, Self); 3] {
         [("printed", Self::Printed(nodes)), ("printed-hashed", Self::Printed(keys)), ("tight", Self::Tight)]
     }
@@ -32,7 +32,7 @@ impl Sizes {
     fn displacements(self, keys: usize) -> usize {
         match self {
             Self::Printed(count) => half(count),
-            // The power of two whose quotient with twice the number is nearest to 1.
+            // The power of two whose quotient with twice the number of keys is closest to 1.
             Self::Tight => {
                 let (count, power) = (2 * keys, (2 * keys).next_power_of_two());
                 if power > 1 && 2 * count * count < power * power { power / 2 } else { power }
@@ -40,7 +40,7 @@ impl Sizes {
         }
     }
 
-    /// Numbers of cells to be tried one after the other, where so many keys share a displacement.
+    /// Returns numbers of cells to try in order, if `shared` keys share a displacement.
     fn cells(self, shared: usize) -> Vec<usize> {
         match self {
             Self::Printed(count) => vec![2 * count + 1],
@@ -51,14 +51,15 @@ impl Sizes {
     }
 }
 
-/// The highest power of two below half of a number, at least 1.
+/// Returns the highest power of two below half of a number, at least 1.
 pub(super) fn half(count: usize) -> usize {
     let powers = std::iter::successors(Some(1), |power| Some(2 * power));
     powers.take_while(|power| 2 * power < count).last().unwrap_or(1)
 }
 
 impl Table {
-    /// For keys with the words of their nodes: by the printed function, or by the first seed that does. `[HASH-7]`
+    /// Builds a table for keys with the words of their nodes: with the printed function, or with the first seed that
+    /// works. `[HASH-7]`
     pub(super) fn of(keys: &[(u64, u32)], sizes: Sizes, is_narrow: bool) -> Option<Self> {
         let seed = |i: u64| mix_64(i.wrapping_mul(0x9e37_79b9_7f4a_7c15), 0);
         std::iter::once(None).chain((1..=SEEDS).map(seed).map(Some)).find_map(|seed| {
@@ -70,7 +71,8 @@ impl Table {
     }
 }
 
-/// Displacements and cells: the largest buckets first, each at the least displacement that fits. `[HASH-8]`
+/// Computes displacements and cells: places the largest buckets first, each at the least displacement that fits.
+/// `[HASH-8]`
 fn tables(keys: &[(u64, u32)], sizes: Sizes) -> Option<(Vec<u32>, Vec<u32>)> {
     let mut buckets = vec![Vec::new(); sizes.displacements(keys.len())];
     let size = buckets.len() as u64;
@@ -86,7 +88,7 @@ fn tables(keys: &[(u64, u32)], sizes: Sizes) -> Option<(Vec<u32>, Vec<u32>)> {
             _ => shared.push((index, bucket)),
         }
     }
-    // Buckets of one size stay in their order.
+    // Buckets of equal size keep their order.
     shared.sort_by_key(|(_, bucket)| std::cmp::Reverse(bucket.len()));
     let is_apart = |h: &usize| {
         shared.iter().all(|(_, bucket)| {

@@ -8,7 +8,7 @@ use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftOrder, Pruning, SignOrder};
 use stackless_bvh::tree::{Keys, Topology};
 
-/// What the library's oracle says of a case.
+/// Runs the library's oracle on a case.
 fn by_oracle(case: &stackless_check::Case, rule: Rule) -> (Vec<String>, Option<(u32, usize)>) {
     let mut search = generate::Search::new(&case.tree, &case.tape, case.any);
     let (tree, mut trace) = (&case.tree, Trace::default());
@@ -30,7 +30,7 @@ fn by_oracle(case: &stackless_check::Case, rule: Rule) -> (Vec<String>, Option<(
     (events(&trace, tree, &Keys::of(tree)), search.outcome.hit)
 }
 
-/// Two references that were written apart: one over addresses with a recorder, one over numbers with a list. `[CONF-4]`
+/// Compares two independent references: one over addresses with a recorder, one over indices with a list. `[CONF-4]`
 /// `[ORACLE-1]`
 #[test]
 fn the_two_references_agree() {
@@ -60,7 +60,7 @@ fn the_two_references_agree() {
     }
 }
 
-/// Whoever goes on from any state has the rest of the whole.
+/// Resuming from any state gives the rest of the whole trace.
 #[test]
 fn the_reference_goes_on_where_it_was() {
     for seed in 0..300 {

@@ -1,5 +1,5 @@
-//! Level `ray`: what a tracer must not round away. Ends of the interval, tiny and huge scenes, edges that are met
-//! exactly, the low bits of coordinates, and boxes that a ray only touches.
+//! Level `ray`, cases where rounding is easily too coarse: ends of the interval, tiny and huge scenes, edges that are
+//! hit exactly, the low bits of coordinates, and boxes that a ray only touches.
 
 use glam::Vec3;
 
@@ -12,14 +12,15 @@ use super::truth::{Mesh, Ray};
 use crate::Query;
 use stackless_bvh::generate::Rng;
 
-/// Scenes are as they are, or so small or large that distances are below every epsilon, or beyond every clip.
+/// Scenes in their size, or so small that distances are below every epsilon, or so large that they are beyond every
+/// clip.
 const SCALES: [(&str, f32); 3] = [("", 1.0), ("-tiny", power(-36)), ("-huge", power(36))];
 
 const fn power(exponent: i32) -> f32 {
     f32::from_bits(((127 + exponent) as u32) << 23)
 }
 
-/// For `watertight` and `parity`: each ray crosses the mesh once or not at all, so both have one answer.
+/// Cases of `watertight` and `parity`. Each ray crosses the mesh at most once, so both profiles have one answer.
 pub(super) fn of_closed(author: &mut Author, query: Query) {
     for (i, (name, mesh)) in [("octahedron", sphere(0)), ("cube", cube()), ("ball-32", sphere(1))].iter().enumerate() {
         for (label, scale) in SCALES {
@@ -50,7 +51,7 @@ pub(super) fn of_closed(author: &mut Author, query: Query) {
     for turn in 0..3 {
         let mesh = Mesh {
             vertices: cube().vertices,
-            // The diagonal of each side is the edge of the same two corners' places in both triangles.
+            // The diagonal of each side is an edge between the same two vertices in both triangles.
             triangles: SIDES
                 .iter()
                 .flat_map(|&[a, b, c, d]| [turned([a, b, c], turn), turned([c, d, a], turn)])
@@ -73,12 +74,12 @@ fn turned(mut corners: [u32; 3], by: usize) -> [u32; 3] {
     corners
 }
 
-/// Origin and ends times a power of two, so the distances are.
+/// Scales origin and ends by a power of two, and therefore the distances.
 fn enlarged(&[x, y, z, dx, dy, dz, tmin, tmax]: &Ray, scale: f32) -> Ray {
     [x * scale, y * scale, z * scale, dx, dy, dz, tmin * scale, tmax * scale]
 }
 
-/// For `ulp-N`.
+/// Cases of `ulp-N`.
 pub(super) fn of_soups(author: &mut Author, ulps: u32, most: f64) {
     for (kind, (name, why)) in SOUPS.iter().enumerate() {
         for seed in 0..4 {
@@ -102,7 +103,7 @@ const SOUPS: [(&str, &str); 4] = [
     ("huge", "Distances around 2^36, which are not too far."),
 ];
 
-/// An interval that leaves out the first hit, or all of them; or a ray from behind the last one.
+/// Changes the interval to exclude the first hit or all hits, or the origin to be behind the last hit.
 fn with_ends(mesh: &Mesh, [x, y, z, dx, dy, dz, ..]: Ray, at: usize) -> Ray {
     let hits = mesh.hits(&[x, y, z, dx, dy, dz, 0.0, f32::INFINITY]);
     let (first, last) = (hits.first().map_or(1.0, |hit| hit.t), hits.last().map_or(1.0, |hit| hit.t));
@@ -116,7 +117,7 @@ fn with_ends(mesh: &Mesh, [x, y, z, dx, dy, dz, ..]: Ray, at: usize) -> Ray {
     }
 }
 
-/// For `exact`: boxes that a ray only touches, and triangles and gaps smaller than an epsilon.
+/// Cases of `exact`: boxes that a ray only touches, and triangles and gaps smaller than an epsilon.
 pub(super) fn exact(author: &mut Author) {
     let flat = |corners: [[f32; 3]; 3]| Mesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] };
     let mut both = |name: &str, why: &str, mesh: &Mesh, rays: &[Ray]| {

@@ -1,8 +1,7 @@
-//! Level `ray`, for tracers that round: what they can promise, and no more.
+//! Level `ray`, cases for floating-point tracers: only answers that such tracers can guarantee.
 //!
-//! Nothing here is in doubt. Rays from within a closed mesh hit it wherever they are aimed, those that pass it by keep
-//! away from it, and distances are asked for only where rounding costs little. The truth of each is computed all the
-//! same.
+//! Every case has a clear answer. Rays from inside a closed mesh hit it in any direction. Rays that miss it keep a
+//! distance. Distances are compared only if rounding has little effect. The exact answer is computed in all cases.
 
 use glam::{DVec3, Vec3};
 use serde_json::json;
@@ -13,13 +12,13 @@ use super::{Author, result, tolerances};
 use crate::{Ask, Expect, Level, Near, NearHit, Profile, Query};
 use stackless_bvh::generate::{Rng, Source};
 
-/// Rays of a case.
+/// Rays per case.
 pub(super) const RAYS: usize = 16;
 
-/// The interval of a ray without an end.
+/// The interval of an unlimited ray.
 pub(super) const WHOLE: [f32; 2] = [0.0, f32::INFINITY];
 
-/// Ulps that a profile allows, and the condition numbers up to which it asks.
+/// Tolerances of the profiles in ulps, with the greatest condition number of their cases.
 const ULPS: [(&str, u32, f64); 2] = [("ulp-8", 8, 4.0), ("ulp-256", 256, 64.0)];
 
 pub(super) fn profiles() -> Vec<Profile> {
@@ -27,7 +26,7 @@ pub(super) fn profiles() -> Vec<Profile> {
     [watertight(), parity()].into_iter().chain(ulps).collect()
 }
 
-/// Closed meshes around the origin, which holds all that is nearer than a quarter: names, and how they are scaled.
+/// Closed meshes around the origin that contain all points closer than a quarter: names and scales.
 fn closed() -> Vec<(&'static str, Mesh)> {
     vec![
         ("octahedron", sphere(0)),
@@ -47,7 +46,7 @@ pub(super) fn scaled(mesh: &Mesh, by: Vec3) -> Mesh {
     Mesh { vertices, triangles: mesh.triangles.clone() }
 }
 
-/// The sides of the cube, each around.
+/// The sides of the cube, as cycles of corners.
 pub(super) const SIDES: [[u32; 4]; 6] =
     [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
 
@@ -56,7 +55,8 @@ pub(super) fn cube() -> Mesh {
     Mesh { vertices, triangles: SIDES.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect() }
 }
 
-/// An octahedron whose triangles are cut into four so often, with all corners on the unit sphere but for rounding.
+/// Builds an octahedron whose triangles are split into four, `level` times. All corners are on the unit sphere, up to
+/// rounding.
 pub(super) fn sphere(level: u32) -> Mesh {
     let mut vertices: Vec<Vec3> = [Vec3::X, Vec3::Y, Vec3::Z].into_iter().flat_map(|axis| [axis, -axis]).collect();
     let mut triangles = vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
@@ -79,7 +79,7 @@ pub(super) fn sphere(level: u32) -> Mesh {
     Mesh { vertices: vertices.iter().map(Vec3::to_array).collect(), triangles }
 }
 
-/// A point on a corner, on an edge, or in the middle of an edge, as well as a float says it.
+/// Draws a corner, a point of an edge, or the midpoint of an edge, rounded to floats.
 fn on_edge(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     let corners = mesh.triangles[rng.below(mesh.triangles.len() as u64) as usize];
     let [a, b] = [0, 1].map(|i| Vec3::from_array(mesh.vertices[corners[i] as usize]));
@@ -92,7 +92,7 @@ pub(super) fn middle_of_face(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     (a + b + c) / 3.0
 }
 
-/// Half of the extent on each axis.
+/// Returns half the extent on each axis.
 fn extent(mesh: &Mesh) -> Vec3 {
     mesh.vertices.iter().map(|&vertex| Vec3::from_array(vertex).abs()).fold(Vec3::ZERO, Vec3::max)
 }
@@ -101,13 +101,13 @@ pub(super) fn inside(rng: &mut Rng, mesh: &Mesh) -> Vec3 {
     Vec3::from_array([(); 3].map(|()| rng.below(9) as f32 / 64.0 - 1.0 / 16.0)) * extent(mesh)
 }
 
-/// A point on a sphere of so many times the mesh's size.
+/// Draws a point on a sphere whose radius is a multiple of the mesh's size.
 fn outside(rng: &mut Rng, mesh: &Mesh, times: f32) -> Vec3 {
     let v = Vec3::from_array([(); 3].map(|()| rng.below(1001) as f32 - 500.25));
     v / v.dot(v).sqrt() * (times * radius(mesh))
 }
 
-/// From within towards edges and corners.
+/// Draws rays from inside toward edges and corners.
 fn out_to_edges(rng: &mut Rng, mesh: &Mesh) -> Vec<Ray> {
     (0..RAYS).map(|_| from_to(inside(rng, mesh), on_edge(rng, mesh), WHOLE)).collect()
 }
@@ -136,7 +136,7 @@ fn watertight() -> Profile {
     author.done()
 }
 
-/// A ray that stays outside of the sphere around the mesh, by a fiftieth of its size or more.
+/// Draws a ray that misses the sphere around the mesh by at least a fiftieth of its size.
 pub(super) fn ghost(rng: &mut Rng, mesh: &Mesh, at: usize) -> Ray {
     let from = outside(rng, mesh, 2.0);
     match at % 3 {
@@ -172,7 +172,7 @@ fn parity() -> Profile {
             (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), WHOLE)).collect();
         let why = "From outside, towards edges and corners, which may be grazed: in as often as out.";
         asks(&mut author, &format!("{name}-around"), why, &mesh, &around, Query::Parity, |_| false);
-        // A hollow one: between its walls, and in the hollow.
+        // A hollow mesh, with origins between its walls and in the hollow.
         let hollow = with_hollow(&mesh);
         let between = |rng: &mut Rng| inside(rng, &mesh) + Vec3::X * (0.5 * extent(&mesh).x);
         let mixed: Vec<Ray> = (0..RAYS)
@@ -189,7 +189,7 @@ fn parity() -> Profile {
     author.done()
 }
 
-/// The same with its own image within, an eighth as large.
+/// Adds an image of the mesh inside it, an eighth as large.
 fn with_hollow(mesh: &Mesh) -> Mesh {
     let within = scaled(mesh, Vec3::splat(0.125));
     let count = mesh.vertices.len() as u32;
@@ -214,7 +214,7 @@ pub(super) fn asks(
     author.case(name, &["EXACT-1", "CONF-2"], why, &ask, result([("hits", json!(hits))]));
 }
 
-/// Distances of hits that are far from edges, where they can be computed well.
+/// Cases of distances: the hits are away from edges and well conditioned.
 fn near(profile: &str, ulps: u32, most: f64) -> Profile {
     let mut author = Author::new(Level::Ray, profile);
     for seed in 0..24 {
@@ -228,7 +228,7 @@ fn near(profile: &str, ulps: u32, most: f64) -> Profile {
     author.done()
 }
 
-/// Rays along which nothing is near what cannot be told apart, four in five of them with a hit: misses are easy.
+/// Draws rays without close decisions. Four in five hit, because misses are easy.
 pub(super) fn clear_rays(rng: &mut Rng, mesh: &Mesh, most: f64) -> Vec<Ray> {
     let mut rays = Vec::new();
     for _ in 0..20_000 {
@@ -251,8 +251,8 @@ pub(super) fn asks_near(author: &mut Author, name: &str, why: &str, mesh: &Mesh,
     author.case(name, &["EXACT-1", "CONF-2"], why, &ask, Expect::Near(Near { ulps, hits }));
 }
 
-/// The first of all hits, in their order. A tracer whose distances are off by so many floats each may take another hit
-/// for the first if it is at most twice as many floats behind.
+/// Returns the first hit, with its alternatives. If distances are wrong by up to `ulps`, a tracer may report another
+/// hit that is at most twice `ulps` behind the first.
 fn near_hit(all: &[Hit], ulps: u32) -> Option<NearHit> {
     let first = all.first()?.t.to_bits();
     let is_near = |hit: &&Hit| hit.t.to_bits() - first <= 2 * ulps;
@@ -266,14 +266,14 @@ pub(super) fn soup(rng: &mut Rng, triangles: usize, bits: u32) -> Mesh {
     Mesh { vertices, triangles: (0..triangles as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
 }
 
-/// Each triangle again, with its corners turned.
+/// Duplicates each triangle, with rotated corners.
 pub(super) fn doubled(mesh: &Mesh) -> Mesh {
     let again = mesh.triangles.iter().map(|&[a, b, c]| [b, c, a]);
     Mesh { vertices: mesh.vertices.clone(), triangles: mesh.triangles.iter().copied().chain(again).collect() }
 }
 
-/// Whether no edge is near, no two different triangles are hit at distances alike, and sums lose little: the sizes of
-/// what is added are at most so many times the sum.
+/// Returns whether no edge is close, no two different triangles are hit at similar distances, and sums are well
+/// conditioned: the magnitudes of the terms are at most `most` times the sum.
 fn is_clear(mesh: &Mesh, &[x, y, z, dx, dy, dz, ..]: &Ray, most: f64) -> bool {
     let (o, d) = (Vec3::new(x, y, z).as_dvec3(), Vec3::new(dx, dy, dz).as_dvec3());
     let mut distances: Vec<f64> = Vec::new();
@@ -286,7 +286,7 @@ fn is_clear(mesh: &Mesh, &[x, y, z, dx, dy, dz, ..]: &Ray, most: f64) -> bool {
         let (u, v) = (s.dot(p) / det, d.dot(q) / det);
         let t = e2.dot(q) / det;
         let least = u.min(v).min(1.0 - u - v);
-        // A NaN is not.
+        // False for NaN.
         let is_away = least.abs() > 1.0 / 32.0;
         if !is_away {
             return false;
@@ -305,7 +305,7 @@ fn is_clear(mesh: &Mesh, &[x, y, z, dx, dy, dz, ..]: &Ray, most: f64) -> bool {
     true
 }
 
-/// The cross product with all that is subtracted added.
+/// Computes the cross product with absolute values and with additions instead of subtractions.
 fn sum_of_sizes(a: DVec3, b: DVec3) -> DVec3 {
     let (a, b) = (a.abs(), b.abs());
     DVec3::new(a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x)
@@ -315,7 +315,7 @@ fn sum_of_sizes(a: DVec3, b: DVec3) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// An odd number of crossings, along rays that keep away from edges, for those that begin within.
+    /// Returns whether a point is inside, by the parity of crossings along rays away from edges.
     fn is_within(mesh: &Mesh, from: Vec3) -> bool {
         let rng = &mut Rng::new(1);
         loop {
@@ -328,13 +328,13 @@ mod tests {
         }
     }
 
-    /// Whether the point of a ray at a distance is within.
+    /// Returns whether the point of a ray at a distance is inside.
     fn within(mesh: &Mesh, ray: &Ray, t: f32) -> bool {
         let [o, d] = [0, 3].map(|at| Vec3::new(ray[at], ray[at + 1], ray[at + 2]));
         t.is_finite() && is_within(mesh, o + t * d)
     }
 
-    /// What is expected by how rays are made is the truth.
+    /// The expectations that follow from the construction of rays equal the exact answers.
     #[test]
     fn the_truth_is_as_expected() {
         let (mut asked, mut met) = (0, 0);
@@ -357,7 +357,7 @@ mod tests {
         assert!(asked > 700 && met > 300 && asked - met > 200, "{met} of {asked}");
     }
 
-    /// A thin shell, which exact arithmetic tells apart: a tracer that rounds may take either side for the first.
+    /// A thin shell, whose sides only exact arithmetic separates. A floating-point tracer may report either side first.
     #[test]
     fn hits_that_are_near_are_admitted() {
         const ULP_OF_100: f32 = 1.0 / 131_072.0;

@@ -26,7 +26,7 @@ pub(super) fn profiles() -> Vec<Profile> {
     ]
 }
 
-/// Trees with scripts: small ones, all at hand; random ones; chains around the ends of words.
+/// Trees with scripts: all small ones, random ones, and chains around the depth limits of the words.
 fn scripts() -> Profile {
     let mut author = Author::new(Level::Trace, "script");
     for (name, text) in [("leaf", "."), ("leaf-stop", "!")] {
@@ -40,7 +40,7 @@ fn scripts() -> Profile {
         }
     }
     for seed in 0..180 {
-        // Small ones first: what fails there is easy to see.
+        // Small trees first, because their failures are easy to understand.
         let (children, text) = random_script(seed, 3 + seed as u32 / 6, seed % 3 == 2);
         scripted(&mut author, &format!("random-{seed}"), "Decisions of all kinds.", children, text);
     }
@@ -69,7 +69,7 @@ fn scripts() -> Profile {
 
 pub(super) const SIDES: [(&str, bool); 2] = [("left", false), ("right", true)];
 
-/// Depths around the ends of words.
+/// Depths around the word sizes.
 const DEPTHS: [u32; 6] = [31, 32, 33, 63, 64, 65];
 
 const AFTER_FAR: &str =
@@ -88,7 +88,7 @@ fn name_of(decision: char) -> String {
     }
 }
 
-/// Chains, where the spine comes first and its side leaves are postponed: all, the first, or two.
+/// Adds chains that visit the spine first and postpone its side leaves: all of them, the first, or two.
 fn chains(author: &mut Author, depth: u32) {
     type Side = fn(u32) -> bool;
     let sides: [(&str, Side); 3] = [("left", |_| false), ("right", |_| true), ("turns", |level| level % 2 == 1)];
@@ -107,7 +107,7 @@ fn chains(author: &mut Author, depth: u32) {
         };
         chain("all", "A leaf is postponed at each level.", &|_| true);
         chain("first", "From the bottom to the root's other child in one step.", &|level| level == 0);
-        // The second one empties the register, so that the first must be found again.
+        // The second one empties the register, so the first must be found by another method.
         let mut two = |second: u32| {
             chain(&format!("two-{second}"), "Two are postponed; the lower one comes first.", &|level| {
                 level == 0 || level == second
@@ -142,7 +142,7 @@ fn complete_trees() -> Profile {
     author.done()
 }
 
-/// A case of a script; what it is about follows from what happens.
+/// Adds a case of a script. The events determine its clauses.
 fn scripted(author: &mut Author, name: &str, why: &str, children: Children, text: String) {
     let run = Reference::run(&children, Search::Script(text.as_bytes()));
     let clauses = clauses(&run, &children);
@@ -166,7 +166,7 @@ fn clauses(run: &Reference<'_>, children: &Children) -> Vec<&'static str> {
     if !levels.is_empty() {
         clauses.extend(["TRAIL-3", "TRAIL-4", "TRAIL-7", "REGISTER-1"]);
     }
-    // Who comes from further away than the sibling has to find the node somewhere: by records, or by a table.
+    // A backtrack from further than the sibling needs records or a table to find the node.
     if levels.iter().any(|&levels| levels > 0) {
         clauses.extend(["REGISTER-2", "UNCLE-1", "UNCLE-2"]);
     }
@@ -233,10 +233,10 @@ fn tapes() -> Profile {
     author.done()
 }
 
-/// What a name ends with, and which levels are marked.
+/// The suffix of a name, and the marked levels.
 type Marks = (&'static str, fn(u32) -> bool);
 
-/// Chains around the ends of words, with marked levels.
+/// Adds chains around the depth limits of the words, with marked levels.
 fn chains_with_cells(author: &mut Author, clauses: &[&str], marks: &[Marks], rule: impl Fn(&Scene) -> Rule) {
     let clauses = [clauses, &["DEPTH-1", "DEPTH-2", "CONF-3"]].concat();
     for depth in DEPTHS {
@@ -254,7 +254,7 @@ fn by_rule(name: &str, clauses: &[&str], count: u64, rule: impl Fn(&Scene) -> Ru
     let mut author = Author::new(Level::Trace, name);
     let kinds = [Kind::Intervals, Kind::Clipped, Kind::Shrinking, Kind::Random];
     for seed in 0..count {
-        // Where much is given up, trees have to be large for anything to be left.
+        // If much is pruned, only large trees have long traces.
         let kind = kinds[seed as usize % if count > 100 { 2 } else { kinds.len() }];
         let mut case = random(2000 + seed, 3 + (seed as u32 / 4).min(40), kind);
         let rule = rule(&case);
@@ -290,7 +290,7 @@ fn boundaries(author: &mut Author, clauses: &[&str], rule: impl Fn(&Scene) -> Ru
     }
 }
 
-/// Nodes without an end.
+/// Adds nodes with unlimited intervals.
 fn open_ends(author: &mut Author, clauses: &[&str]) {
     for (name, why, scene) in open_scenes() {
         taped(author, name, clauses, why, &scene, Rule::Disjoint);
@@ -320,7 +320,7 @@ pub(super) fn open_scenes() -> [(&'static str, &'static str, Scene); 2] {
     ]
 }
 
-/// The same with distances in few steps.
+/// Quantises the distances of a scene.
 fn with_ties(scene: Scene) -> Scene {
     let coarse = |t: u32| t >> 18 << 18;
     let cell =
@@ -339,7 +339,7 @@ fn taped<'a>(
     let Scene { children, cells, any, .. } = scene.clone();
     let run = Reference::run(&children, Search::Cells { cells: &cells, any, rule });
     let mut fields = vec![("events", json!(run.events)), ("hit", json!(run.best))];
-    // What is postponed by distance is known only when its turn comes.
+    // With pruning by distance, the postponed nodes are determined only when they are visited.
     if rule != Rule::Distance {
         fields.push(("trails", trails(&run)));
     }
@@ -371,7 +371,7 @@ fn invalid() -> Profile {
             "Nodes that are each other's children.",
             vec![Some([1, 2]), None, None, Some([4, 5]), Some([3, 6]), None, None],
         ),
-        // Who stops at the first leaf does not see these.
+        // Implementations that stop at the first leaf fail this case.
         (
             "later-out-of-range",
             "A child that there is not, after a leaf.",

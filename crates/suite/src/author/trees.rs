@@ -3,7 +3,7 @@
 use crate::ask::Children;
 use stackless_bvh::generate::{Cell, Family, Kind, Rng, Source, Tape};
 
-/// A chain of inner nodes, each with a leaf beside the next.
+/// Returns a chain of inner nodes, each with a leaf as the sibling of the next.
 pub(super) fn comb(depth: u32, goes_right: impl Fn(u32) -> bool) -> Children {
     let mut children = vec![None];
     let mut node = 0_usize;
@@ -16,13 +16,13 @@ pub(super) fn comb(depth: u32, goes_right: impl Fn(u32) -> bool) -> Children {
     children
 }
 
-/// All leaves at one depth, in level order.
+/// Returns a complete tree, in level order.
 pub(super) fn complete(depth: u32) -> Children {
     let inner = (1 << depth) - 1;
     (0..=2 * inner).map(|node| (node < inner).then(|| [2 * node + 1, 2 * node + 2])).collect()
 }
 
-/// A script for a tree, by its inner nodes and its leaves.
+/// Returns a script for a tree, from functions for inner nodes and leaves.
 pub(super) fn script(
     children: &Children,
     mut inner: impl FnMut(u32) -> char,
@@ -32,7 +32,7 @@ pub(super) fn script(
     (0..).zip(children).map(of).collect()
 }
 
-/// Depth of each node.
+/// Returns the depth of each node.
 pub(super) fn depths(children: &Children) -> Vec<u32> {
     let mut depths = vec![0; children.len()];
     let mut pending = vec![0_u32];
@@ -45,12 +45,13 @@ pub(super) fn depths(children: &Children) -> Vec<u32> {
     depths
 }
 
-/// Edges on the longest path.
+/// Returns the number of edges on the longest path.
 pub(super) fn depth_of(children: &Children) -> u32 {
     depths(children).into_iter().max().unwrap_or(0)
 }
 
-/// Edges on the longest path; `None` where numbers of children are no tree with the root 0. `[TREE-1]` `[TREE-2]`
+/// Returns the number of edges on the longest path; `None` if the child indices do not form a tree with root 0.
+/// `[TREE-1]` `[TREE-2]`
 pub(crate) fn depth_if_tree(children: &Children) -> Option<u32> {
     let (mut reached, mut depth) = (vec![false; children.len()], 0);
     let mut pending = vec![(0_u32, 0)];
@@ -64,7 +65,7 @@ pub(crate) fn depth_if_tree(children: &Children) -> Option<u32> {
     reached.into_iter().all(|reached| reached).then_some(depth)
 }
 
-/// A tree, what a search finds in it, and what it looks for.
+/// A tree with the cells and the kind of a search.
 #[derive(Clone, Debug)]
 pub(super) struct Scene {
     pub(super) children: Children,
@@ -74,14 +75,15 @@ pub(super) struct Scene {
 }
 
 impl Scene {
-    /// Whether a node is decided on alike whenever it is visited: hits come too late to change what is wanted.
+    /// Returns whether the decision at a node does not depend on the time of its visit: hits come too late to change
+    /// it.
     pub(super) fn is_static(&self) -> bool {
         let first_hit = self.cells.iter().filter_map(|cell| cell.hit).min();
         self.any || first_hit.is_none_or(|hit| self.cells.iter().all(|cell| cell.enter <= hit))
     }
 }
 
-/// A tree of any family with a tape of a kind.
+/// Draws a tree of any family with a tape of a kind.
 pub(super) fn random(seed: u64, leaves: u32, kind: Kind) -> Scene {
     let mut rng = Rng::new(seed);
     let (family, leaves) = any_family(&mut rng, leaves);
@@ -91,8 +93,8 @@ pub(super) fn random(seed: u64, leaves: u32, kind: Kind) -> Scene {
     Scene { children, cells, any: false, octant: rng.below(8) as u8 }
 }
 
-/// A chain whose spine is entered first. Where a level is marked, the spine ends before its leaf begins, elsewhere it
-/// does not. At the bottom is a hit, which is not before the leaves that are not marked.
+/// Returns a chain that visits its spine first. At a marked level the spine ends before its leaf begins, at other
+/// levels it does not. The hit is at the bottom, and not before the leaves at unmarked levels.
 pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> bool) -> Scene {
     let children = comb(depth, |_| goes_right);
     let mut cells = vec![Cell::default(); children.len()];
@@ -111,8 +113,8 @@ pub(super) fn spine(depth: u32, goes_right: bool, is_marked: impl Fn(u32) -> boo
     Scene { children, cells, any: false, octant: u8::from(goes_right) }
 }
 
-/// A root that is missed, or entered late, as a leaf and above two leaves; and hits as late as can be. What is tested
-/// at its visit counts for the root too; what is tested at the parent does not. The octant has the right child first.
+/// Scenes with a root that is missed, or entered late, as a leaf and above two leaves, and with the latest possible
+/// hits. Tests at the visit also apply to the root; tests at the parent do not. The octant has the right child first.
 pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 9] {
     const LAST: u32 = u32::MAX;
     const FLOAT: u32 = 1 << 24;
@@ -160,9 +162,10 @@ pub(super) fn boundary_scenes() -> [(&'static str, &'static str, Scene); 9] {
     ]
 }
 
-/// A search that comes back from afar to a node whose only wanted child has only one wanted child, and so on: from that
-/// bottom it goes on to the root's other child. How far that is from the node, how far the way to the node is, and how
-/// many levels are below it. What is postponed first is an inner node, unlike all that could be taken for it.
+/// Returns a search with a long backtrack to a node that has only one wanted child, which has only one wanted child,
+/// and so on. From the bottom it continues with the root's other child. Parameters: the depth of the node, the length
+/// of the backtrack, and the number of levels below. The first postponed node is an inner node, unlike all nodes that
+/// could be mistaken for it.
 pub(super) fn after_far(above: u32, far: u32, below: u32) -> (Children, String) {
     let (mut children, mut script) = (vec![None], vec!['.']);
     let mut split = |node: u32, decision: char| {
@@ -187,7 +190,7 @@ pub(super) fn after_far(above: u32, far: u32, below: u32) -> (Children, String) 
     (children, script.into_iter().collect())
 }
 
-/// The scene of a script without stops, in which the right child never comes first: what is not wanted is missed.
+/// Returns the scene of a script without stops in which the left child always comes first. Unwanted nodes are missed.
 pub(super) fn scene_of(children: &Children, script: &str) -> Scene {
     let mut cells = vec![Cell::default(); children.len()];
     for (pair, decision) in children.iter().zip(script.chars()) {
@@ -198,12 +201,12 @@ pub(super) fn scene_of(children: &Children, script: &str) -> Scene {
     Scene { children: children.clone(), cells, any: false, octant: 0 }
 }
 
-/// The script of a random search: decisions of all kinds, and now and then a leaf that stops it.
+/// Draws a script with decisions of all kinds and, if wanted, a few leaves that stop the search.
 pub(super) fn random_script(seed: u64, leaves: u32, stops: bool) -> (Children, String) {
     let mut rng = Rng::new(seed);
     let (family, leaves) = any_family(&mut rng, leaves);
     let children = family.tree(&mut rng, leaves).to_children();
-    // Mostly both, so that searches get far.
+    // Mostly both children, so searches are long.
     let decisions = ['L', 'R', 'L', 'R', 'l', 'r', 'n'];
     let mut leaf = Rng::new(seed ^ 1);
     let text = script(
@@ -214,7 +217,7 @@ pub(super) fn random_script(seed: u64, leaves: u32, stops: bool) -> (Children, S
     (children, text)
 }
 
-/// A family, and a number of leaves up to the one given.
+/// Draws a family, and a number of leaves up to `leaves`.
 fn any_family(rng: &mut Rng, leaves: u32) -> (Family, u32) {
     let family = Family::ALL[rng.below(Family::ALL.len() as u64) as usize];
     (family, 2 + rng.below(u64::from(leaves) - 1) as u32)

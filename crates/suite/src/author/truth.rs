@@ -1,24 +1,24 @@
-//! Which triangles a ray meets, and where, in whole numbers without limit. `[EXACT-1]`
+//! Ray-triangle hits in integers without limit. `[EXACT-1]`
 //!
-//! Every float is a whole multiple of 2^-149. Whatever a ray meets follows from signs and quotients of products of
-//! three such numbers, so their unit does not matter.
+//! Every float is an integer multiple of 2^-149. Hits depend only on signs and quotients of products of three such
+//! numbers, so the unit cancels.
 
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
 
-/// Corners, and three of them for each triangle.
+/// The vertices, and three indices for each triangle.
 #[derive(Clone, Debug)]
 pub(super) struct Mesh {
     pub(super) vertices: Vec<[f32; 3]>,
     pub(super) triangles: Vec<[u32; 3]>,
 }
 
-/// Origin, direction, and the ends of the interval, which is not below 0.
+/// Origin, direction, and the ends of the interval, which are not negative.
 pub(super) type Ray = [f32; 8];
 
-/// Where a ray meets a triangle: the distance and the weights of the second and third corner, each rounded once.
-/// The order of hits is not that of `t`, but that of the distances before they are rounded.
+/// A hit: distance and weights of the second and third corner, each rounded once. Hits are ordered by exact distance,
+/// not by `t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hit {
     pub(super) prim: u32,
@@ -27,21 +27,21 @@ pub(super) struct Hit {
     pub(super) v: f32,
 }
 
-/// The sizes of volumes whose quotients are the distance and the weights of two corners, over their sum.
+/// The magnitudes of volumes. Their quotients with the sum are the distance and the weights of two corners.
 struct Quotients {
     parts: [IBig; 3],
     sum: IBig,
 }
 
 impl Mesh {
-    /// All hits: the one with the least exact distance first, of equal exact distances the one with the lower number.
+    /// Returns all hits, ordered by exact distance, then by index.
     pub(super) fn hits(&self, ray: &Ray) -> Vec<Hit> {
         let met = |(prim, corners): (u32, &[u32; 3])| {
             let corners = corners.map(|corner| self.vertices[corner as usize]);
             if is_beside(corners, ray) { None } else { Some((prim, meet(corners, ray)?)) }
         };
         let mut hits: Vec<_> = (0..).zip(&self.triangles).filter_map(met).collect();
-        // Neither sum is below 0. Equal ones stay in the order of their numbers.
+        // Both sums are positive or 0. The sort is stable, so ties keep the order of indices.
         hits.sort_by(|(_, a), (_, b)| (&a.parts[0] * &b.sum).cmp(&(&b.parts[0] * &a.sum)));
         let rounded = |(prim, Quotients { parts, sum }): (u32, Quotients)| {
             let [t, u, v] = parts.map(|part| nearest(&part, &sum));
@@ -51,8 +51,8 @@ impl Mesh {
     }
 }
 
-/// Whether all corners lie on one side of the ray along an axis, or behind its origin. True of none that is met; of
-/// most others, and sooner than it is computed.
+/// Returns whether all corners are on one side of the ray along an axis, or behind its origin. Then there is no hit. It
+/// rejects most misses quickly.
 fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
     (0..3).any(|axis| {
         let (o, d) = (ray[axis], ray[axis + 3]);
@@ -61,8 +61,9 @@ fn is_beside(corners: [[f32; 3]; 3], ray: &Ray) -> bool {
     })
 }
 
-/// Seen from the origin: the direction spans a volume with each edge, and the weight of a corner is the volume with the
-/// edge across over the sum of the three. A sum of 0 is a triangle without area, or one that is parallel to the ray.
+/// Intersects a ray and a triangle. Relative to the origin, the direction spans a volume with each edge. The weight of
+/// a corner is the volume of the opposite edge divided by the sum of all three. A sum of 0 means a triangle without
+/// area, or one parallel to the ray.
 fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Option<Quotients> {
     let [corner_a, corner_b, corner_c] = corners;
     let [o, d, a, b, c] = whole([[x, y, z], [dx, dy, dz], corner_a, corner_b, corner_c]);
@@ -70,10 +71,10 @@ fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Opt
     let across = cross(&b, &c);
     let [of_a, of_b, of_c] = [dot(&d, &across), dot(&d, &cross(&c, &a)), dot(&d, &cross(&a, &b))];
     let (sum, along) = (&of_a + &of_b + &of_c, dot(&a, &across));
-    // Turned over where the triangle is seen from behind.
+    // Negated if the triangle is seen from behind.
     let [sum, of_a, of_b, of_c, along] =
         if sum < IBig::ZERO { [-sum, -of_a, -of_b, -of_c, -along] } else { [sum, of_a, of_b, of_c, along] };
-    // Every distance is finite, whatever it is rounded to.
+    // Every distance is finite, even if it rounds to infinity.
     let is_beyond_all = |t: f32| t == f32::INFINITY;
     let compared = |t: f32| (unit(t) * &sum).cmp(&(&along << 149));
     let is_hit = sum > IBig::ZERO
@@ -84,7 +85,7 @@ fn meet(corners: [[f32; 3]; 3], &[x, y, z, dx, dy, dz, tmin, tmax]: &Ray) -> Opt
     is_hit.then(|| Quotients { parts: [along, of_b, of_c], sum })
 }
 
-/// A float as an odd number, or 0, times a power of two above 2^-149.
+/// Decomposes a float into an odd integer, or 0, and the exponent of a power of two, relative to 2^-149.
 fn parts(x: f32) -> (i64, usize) {
     let (exponent, fraction) = (x.to_bits() >> 23 & 255, x.to_bits() & 0x7f_ffff);
     let size = i64::from(if exponent == 0 { fraction } else { fraction | 1 << 23 });
@@ -93,13 +94,13 @@ fn parts(x: f32) -> (i64, usize) {
     (odd, (exponent.saturating_sub(1) + zeros) as usize)
 }
 
-/// A float in units of 2^-149.
+/// Converts a float to units of 2^-149.
 fn unit(x: f32) -> IBig {
     let (odd, power) = parts(x);
     IBig::from(odd) << power
 }
 
-/// Floats in the greatest unit of which all are multiples.
+/// Converts floats to integers in their greatest common unit.
 fn whole(points: [[f32; 3]; 5]) -> [[IBig; 3]; 5] {
     let powers = points.as_flattened().iter().filter(|x| **x != 0.0).map(|&x| parts(x).1);
     let least = powers.min().unwrap_or(0);
@@ -119,8 +120,8 @@ fn cross([a, b, c]: &[IBig; 3], [x, y, z]: &[IBig; 3]) -> [IBig; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// The float nearest to a quotient of numbers that are not below 0, of two the one that ends in 0. Floats are in the
-/// order of their bits, and infinity stands where 2^128 would.
+/// Rounds a non-negative quotient to the nearest float, ties to even. Floats are ordered like their bits, and infinity
+/// takes the place of 2^128.
 fn nearest(over: &IBig, under: &IBig) -> f32 {
     let in_units = over << 149;
     let is_above = |bits: u32| unit(f32::from_bits(bits)) * under > in_units;
@@ -158,7 +159,7 @@ mod tests {
         assert_eq!(of(0.0, 3.0), 0.0);
     }
 
-    /// Two sheets whose distances round to one float, in both orders of their numbers; and equal ones.
+    /// Two sheets whose distances round to the same float, in both orders, and two sheets at equal distances.
     #[test]
     fn the_least_exact_distance_comes_first() {
         let sheet = |z: f32| [[-1.0, -1.0, z], [1.0, -1.0, z], [0.0, 1.0, z]];
@@ -176,7 +177,7 @@ mod tests {
         assert_eq!(order([0.0, 0.0, 0.0]), [0, 1, 2]);
     }
 
-    /// What was written apart from it, in fractions.
+    /// Compares with an independent implementation in fractions.
     #[test]
     fn the_library_finds_the_same() {
         let mut hits = 0;

@@ -1,4 +1,4 @@
-//! What this library answers.
+//! Answers of this library.
 
 mod rays;
 mod tables;
@@ -17,7 +17,7 @@ use stackless_bvh::trace::Accuracy;
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::wide::Method as WideMethod;
 
-/// This library as an implementation: one traversal in one word, or for each profile one that has it.
+/// This library as an implementation: one traversal with one word, or a suitable one for each profile.
 ///
 /// ```
 /// use stackless_suite::{Implementation, Library, author, judge};
@@ -41,14 +41,14 @@ pub struct Library {
 /// A traversal of this library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Traversal {
-    /// Of trees of two children a node.
+    /// A traversal of binary trees.
     Binary(Method),
-    /// Of wide trees.
+    /// A traversal of wide trees.
     Wide(WideMethod),
 }
 
 impl Traversal {
-    /// The name.
+    /// Returns the name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Binary(method) => method.name(),
@@ -56,7 +56,7 @@ impl Traversal {
         }
     }
 
-    /// Those of binary and those of wide trees, each in their order.
+    /// Returns the traversals of binary trees and those of wide trees, in their order.
     pub fn of_each_kind(all: &[Self]) -> (Vec<Method>, Vec<WideMethod>) {
         let (mut binary, mut wide) = (Vec::new(), Vec::new());
         for &traversal in all {
@@ -76,8 +76,8 @@ impl Default for Library {
 }
 
 impl Library {
-    /// A traversal in a word; where none is given, one for each profile, in the word that grows. Traversals of wide trees
-    /// have words of their own.
+    /// Chooses a traversal and a word. Without a traversal, each profile uses a suitable one, with the growing word.
+    /// Traversals of wide trees have their own words.
     pub fn new(traversal: Option<Traversal>, word: Option<WordName>) -> Self {
         let (binary, wide) = match traversal {
             None => (None, Some(WideMethod::default())),
@@ -89,7 +89,7 @@ impl Library {
         Self { traversal, word, accuracy: Accuracy::Exact, features, limits }
     }
 
-    /// The same, with rays traced by other tests: what is not exact does not conform.
+    /// Selects other tests for rays. Inexact tests do not conform.
     #[must_use]
     pub fn with_accuracy(self, accuracy: Accuracy) -> Self {
         Self { accuracy, ..self }
@@ -99,7 +99,7 @@ impl Library {
         self.word.unwrap_or(WordName::Grow)
     }
 
-    /// The traversal that answers a profile; `None` if the chosen one does not.
+    /// Returns the traversal for a profile; `None` if the chosen one does not support it.
     fn traversal_for(&self, level: Level, profile: &str) -> Option<Traversal> {
         let binary = || self.method_for(level, profile).map(Traversal::Binary);
         binary().or_else(|| self.wide_method_for(level, profile).map(Traversal::Wide))
@@ -125,7 +125,7 @@ impl Library {
         let is_whole = method.can_pause() && method.test() == Test::Children;
         let fits = match (level, profile) {
             (Level::Trace, "invalid") => true,
-            // Complete trees are the only ones that it carries, and trees are what it is given.
+            // It supports complete trees only, and these profiles have any trees.
             (Level::Trace, "script" | "tape") => method.test() == Test::Children && method != Method::Complete,
             (Level::Trace, _) => method.test() == usual.test(),
             (Level::Resume, "disjoint") => method.can_pause() && method.test() == Test::Disjoint,

@@ -22,7 +22,7 @@ pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {
         Ok(match asked.query {
             Query::Closest => with_level(accuracy, Cast { bvh, rays, any: false }),
             Query::Any => with_level(accuracy, Cast { bvh, rays, any: true }),
-            // Crossings are counted exactly, or not at all.
+            // Crossings are counted exactly or not at all.
             Query::Parity => {
                 let tracer = BinaryTracer::new(bvh);
                 rays.iter().map(|ray| json!(tracer.crossings(ray) % 2 == 1)).collect()
@@ -68,8 +68,8 @@ impl WithTests for Cast {
 type Numbers = (Vec<[f32; 3]>, Vec<[f32; 8]>);
 
 impl Rays {
-    /// Mesh and rays. What this library has no words for is there too: a mesh without triangles, and intervals at
-    /// infinity.
+    /// Builds mesh and rays. Also represents inputs that the library's types exclude: a mesh without triangles, and
+    /// intervals at infinity.
     ///
     /// # Errors
     /// [`RaysError`].
@@ -85,7 +85,7 @@ impl Rays {
             Some(Mesh::new(vertices, self.triangles.clone())?)
         };
         let ray = |[a, b, c, x, y, z, tmin, tmax]: [f32; 8]| {
-            // No distance is infinite, so nothing is met; origin and direction have to be right all the same.
+            // No distance is infinite, so the ray misses. Origin and direction must still be valid.
             let is_nowhere = tmin == f32::INFINITY && tmax == f32::INFINITY;
             let within = if is_nowhere { [0.0, tmax] } else { [tmin, tmax] };
             let ray = Ray::within(Vec3::new(a, b, c), Vec3::new(x, y, z), within[0], within[1])?;
@@ -95,7 +95,7 @@ impl Rays {
         Ok(RayScene { mesh, rays, missed: if self.query == Query::Closest { Value::Null } else { json!(false) } })
     }
 
-    /// Vertices and rays as numbers.
+    /// Returns vertices and rays as numbers.
     ///
     /// # Errors
     /// [`RaysError::Floats`].
@@ -107,22 +107,22 @@ impl Rays {
     }
 }
 
-/// A mesh and rays that were read.
+/// A valid mesh with rays.
 #[derive(Clone, Debug)]
 pub struct RayScene {
-    /// `None` where there are no triangles.
+    /// `None` without triangles.
     mesh: Option<Mesh>,
-    /// `None` where the interval is at infinity.
+    /// `None` if the interval is at infinity.
     rays: Vec<Option<Ray>>,
-    /// The answer of a ray that meets nothing.
+    /// The answer for a miss.
     missed: Value,
 }
 
 impl RayScene {
-    /// The answers of all rays: `trace` is asked for those that can meet something, and gives one for each.
+    /// Returns the answers of all rays. `trace` gets the rays that can hit, and returns one answer for each.
     ///
     /// # Errors
-    /// Those of `trace`.
+    /// The errors of `trace`.
     pub fn hits<E>(&self, trace: impl FnOnce(&Mesh, Vec<Ray>) -> Result<Vec<Value>, E>) -> Result<Vec<Value>, E> {
         let asked: Vec<Ray> = self.rays.iter().copied().flatten().collect();
         let found = match &self.mesh {
@@ -135,22 +135,22 @@ impl RayScene {
     }
 }
 
-/// Why texts are no mesh and rays.
+/// Errors of decoding a mesh and rays.
 #[derive(Debug, thiserror::Error)]
 pub enum RaysError {
-    /// A text is not as many floats as there should be.
+    /// A text has the wrong number of floats.
     #[error("expected floats of 8 hexadecimal digits, a space between")]
     Floats,
-    /// The triangles are no mesh.
+    /// The triangles are not a valid mesh.
     #[error("{0}")]
     Mesh(#[from] MeshError),
-    /// The numbers are no ray.
+    /// The numbers are not a valid ray.
     #[error("{0}")]
     Ray(#[from] RayError),
 }
 
 impl RaysError {
-    /// The code by which the input is rejected; `None` if the suite has none for it.
+    /// Returns the code of the rejection; `None` if the suite has no code for it.
     pub const fn code(&self) -> Option<&'static str> {
         Some(match self {
             Self::Mesh(MeshError::NonFinite { .. }) | Self::Ray(RayError::Origin(_) | RayError::Direction(_)) => {

@@ -1,10 +1,10 @@
-//! Words and traces as the suite's files have them.
+//! Words and traces in the format of the suite's files.
 
 use stackless_bvh::event::{Event, Trace};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::tree::{Keys, Tree};
 
-/// Lower-case hexadecimal without leading zeros.
+/// Formats a word in lower-case hexadecimal without leading zeros.
 pub fn hex<W: KeyWord>(word: &W) -> String {
     let (mut rest, mut digits) = (word.clone(), Vec::new());
     while !rest.is_zero() {
@@ -14,7 +14,7 @@ pub fn hex<W: KeyWord>(word: &W) -> String {
     if digits.is_empty() { "0".to_owned() } else { digits.into_iter().rev().collect() }
 }
 
-/// The word that digits stand for; `None` if they are not as [`hex`] writes them, or too many for the word.
+/// Parses a word; `None` if the digits are not in the format of [`hex`], or too long for the word.
 pub(crate) fn word<W: KeyWord>(digits: &str) -> Option<W> {
     let is_plain = digits == "0" || !digits.is_empty() && !digits.starts_with('0');
     let bits =
@@ -34,7 +34,7 @@ pub(crate) fn word<W: KeyWord>(digits: &str) -> Option<W> {
     Some(word)
 }
 
-/// A trace as answers have it. `[TRACE-1]`
+/// Formats a trace for answers. `[TRACE-1]`
 pub(crate) fn events(trace: &Trace, tree: &Tree, keys: &Keys) -> Vec<String> {
     let text = |event| match event {
         Event::Enter(key) => format!("enter {}", hex(&key)),

@@ -18,7 +18,7 @@ use stackless_check::GoOn;
 /// Deepest tree that gets the implicit layout.
 const IMPLICIT_DEPTH: u32 = 13;
 
-/// What a traversal has beyond its profiles, and the deepest tree that it carries.
+/// Returns the features of a traversal, and the depth of the deepest supported tree.
 pub(super) fn claims(method: Option<Method>, word: WordName) -> (Vec<Feature>, Option<u32>) {
     let Some(method) = method else { return (vec![Feature::Changing], None) };
     let (shallow, deep) = (chain(1), chain(200));
@@ -41,7 +41,7 @@ pub(super) fn claims(method: Option<Method>, word: WordName) -> (Vec<Feature>, O
     (features, limit)
 }
 
-/// A case over a chain.
+/// Returns a case with a chain.
 fn chain(depth: u32) -> stackless_check::Case {
     let children: Children =
         (0..=2 * depth).map(|node| (node % 2 == 0 && node < 2 * depth).then(|| [node + 2, node + 1])).collect();
@@ -106,7 +106,7 @@ fn best(search: &Search<'_, Tree>) -> Option<Best> {
     search.outcome.hit.map(|(t, node)| Best { t, node: node as u32 })
 }
 
-/// What is seen at each visit that is no restart.
+/// Records each visit except repeated ones after a restart.
 #[derive(Debug, Default)]
 struct Record {
     trace: Trace,
@@ -129,7 +129,7 @@ impl Recorder for Record {
     }
 }
 
-/// Goes on from a state.
+/// Resumes from a state.
 struct Resume<'a> {
     method: Method,
     case: &'a stackless_check::Case,
@@ -163,7 +163,7 @@ impl WithWord for Resume<'_> {
         }
         let keys = Keys::of(tree);
         let mut events = events(&trace, tree, &keys);
-        // The first visit is reached by backtracking from a node that is not in the trace.
+        // The first visit follows a backtrack from a node that is not in the trace.
         if let (Next::Backtrack, Some(&first)) = (next, trace.nodes().first()) {
             let [from, first] = [from, first].map(|node| tree.slot(node));
             let levels = keys.depth(from).saturating_sub(keys.depth(first));
@@ -174,8 +174,10 @@ impl WithWord for Resume<'_> {
     }
 }
 
-/// The state of a walk, or why there is none; `None` where the input is no state. A tree of as many levels as the word has
-/// bits has keys that do not fit, and can be traversed without keys: nodes are found by longer ones.
+/// Returns the state of a walk, or the reason for its absence; `None` if the input is not a valid state. If a tree's
+/// levels equal the bits of the word, it can be traversed without keys, which do not fit. Its nodes are found by longer
+/// keys.
+/// keys.
 fn from_state<W: KeyWord>(
     key: &Grow,
     next: Next,
@@ -189,11 +191,11 @@ fn from_state<W: KeyWord>(
         None => None,
     };
     let state = KeyTrail { key: key.clone(), trail, disjoint, next };
-    // The node is there, so it is the trail.
+    // The node exists, so the trail is wrong.
     Some(state.locate(&ByWalk(tree)).map_err(|_| "trail").and_then(in_word).map(stackless_check::Start::State))
 }
 
-/// The same with the key alone.
+/// Returns the state of a walk from the key alone.
 fn from_key<W: KeyWord>(key: &Grow, next: Next, tree: &Tree) -> Result<stackless_check::Start<W>, &'static str> {
     if let Some(key) = narrow(key) {
         return KeyOnly::locate(key, next, &ByWalk(tree)).map(stackless_check::Start::Key).map_err(|_| "no-such-node");
@@ -203,7 +205,8 @@ fn from_key<W: KeyWord>(key: &Grow, next: Next, tree: &Tree) -> Result<stackless
     state.locate(&ByWalk(tree)).map_err(|_| "trail").and_then(in_word).map(stackless_check::Start::State)
 }
 
-/// A state in a narrower word. Its key may be lost, its trails may not: the tree is deeper than the word has bits.
+/// Converts a state to a narrower word. It may lose its key, but not its trails: the tree has more levels than the word
+/// has bits.
 fn in_word<W: KeyWord>(state: Paused<Grow>) -> Result<Paused<W>, &'static str> {
     let Paused { node, register, key, trail, disjoint, next } = state;
     let trail = narrow(&trail).ok_or("too-deep")?;

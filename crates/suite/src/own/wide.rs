@@ -1,4 +1,4 @@
-//! Wide trees: in the levels `hash`, `trace` and `resume`.
+//! Wide trees, in the levels `hash`, `trace` and `resume`.
 
 use serde_json::{Value, json};
 
@@ -17,15 +17,15 @@ use stackless_bvh::wide::{
     advance, asked_keys,
 };
 
-/// Levels of the deepest chain that is tried.
+/// Levels of the deepest chain tried.
 const DEEP: u32 = 200;
 
-/// Whether a state can be taken up: restart trails count the children that are done, which a state does not say.
+/// Returns whether a traversal can resume. Restart trails count finished children, which a state does not contain.
 pub(super) fn can_resume(method: Method) -> bool {
     matches!(method, Method::Stack | Method::Trail | Method::Recorded | Method::Hashed)
 }
 
-/// The trees that a traversal carries.
+/// Returns the limits of a traversal.
 pub(super) fn claims(method: Method) -> WideLimits {
     WideLimits { of_2: Some(limit::<2>(method)), of_4: Some(limit::<4>(method)), of_8: Some(limit::<8>(method)) }
 }
@@ -38,7 +38,7 @@ fn limit<const A: usize>(method: Method) -> u32 {
     (0..=DEEP).take_while(fits).last().unwrap_or(0)
 }
 
-/// Inner nodes with one child each.
+/// Returns a chain of inner nodes with one child each.
 fn chain(slots: u32, levels: u32) -> WideWalk {
     let below = |node: u32| (node <= levels).then(|| vec![node + 1]);
     let rank = |node: u32| (node <= levels).then(|| vec![Some(0)]);
@@ -80,7 +80,7 @@ fn traced<const A: usize, const SORTED: bool>(method: Method, walk: &WideWalk) -
     Some(told(ran.map(|()| noted), &tree, None, walk, &search))
 }
 
-/// What came out.
+/// Formats the result.
 fn told<const A: usize, const SORTED: bool>(
     ran: Result<Noted, Unsupported>,
     tree: &Tree<A>,
@@ -128,8 +128,8 @@ fn resumed<const A: usize, const SORTED: bool>(method: Method, walk: &WideWalk) 
     Some(told(ran, &tree, is_visited.then_some(from), walk, &search))
 }
 
-/// For each level the slot that is taken, and the set of those that are pending; the code of a rejection where key or
-/// trail are of another form. `[WIDE-9]` `[WIDE-10]`
+/// Returns for each level the slot on the path and the set of pending slots, or the rejection code for a malformed key
+/// or trail. `[WIDE-9]` `[WIDE-10]`
 fn path<const A: usize>(key: &str, trail: &str) -> Result<Vec<(u32, u32)>, &'static str> {
     let (key, bits) = (Bits::of_hex(key).ok_or("no-such-node")?, A.ilog2() as usize);
     let below = key.0.get(1..).filter(|below| below.len() % bits == 0).ok_or("no-such-node")?;
@@ -139,7 +139,7 @@ fn path<const A: usize>(key: &str, trail: &str) -> Result<Vec<(u32, u32)>, &'sta
     Ok(groups.map(|(slot, set)| (number(slot), number(set))).collect())
 }
 
-/// Goes down to a state, by answers that want nothing but the path and what is pending, and on from there.
+/// Descends to a state, with answers that want only the path and the pending children, and continues from there.
 struct GoOn<'t, 'a, 'w, const A: usize, const SORTED: bool> {
     from: Supply<'t, Tree<A>>,
     /// Slots and pending sets down to the node, or to the parent of the leaf.
@@ -161,7 +161,7 @@ impl<'t, const A: usize, const SORTED: bool> Context<'t, A, Tree<A>> for GoOn<'t
         let tree = from.tree;
         let mut cursor = start(from)?;
         for &(slot, pending) in way {
-            // The way comes before what is pending, whatever the end is by now.
+            // The path comes before the pending children, for every end.
             let set = pending | 1 << slot;
             let wanted = Wanted { set, ..search.of(cursor.node(), set) };
             if let Next::Child(child) = cursor.choose(tree, wanted, search) {
@@ -175,7 +175,7 @@ impl<'t, const A: usize, const SORTED: bool> Context<'t, A, Tree<A>> for GoOn<'t
                 return Ok(());
             }
         }
-        // Nobody says since when the end is what it is.
+        // The time of the last change of the end is unknown.
         cursor.shortened();
         let mut wanted = search.of(cursor.node(), leaf.map_or(u32::MAX, |(_, pending)| pending));
         while advance(tree, &mut cursor, wanted, search, noted) {
@@ -196,7 +196,7 @@ pub(super) fn hashed_keys(slots: u32, children: &WideChildren) -> Option<Answer>
     Some(Answer::of([("keys", json!(keys))]))
 }
 
-/// In the order of their numbers.
+/// Returns the keys in the order of node indices.
 fn keys<const A: usize>(walk: &WideWalk) -> Option<Vec<String>> {
     let asked = asked_keys::<A, Grow>(&walk.tree::<A>().ok()?);
     let mut keys: Vec<String> = asked.iter().map(|(key, _)| hex(key)).collect();

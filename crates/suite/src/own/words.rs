@@ -60,7 +60,8 @@ fn of_word<W: KeyWord>(ask: &Ask) -> Option<Answer> {
     }
 }
 
-/// Two to the depth, 0 at the depth of the word's bits; `None` beyond, and where nobody would wait for it.
+/// Returns two to the power of the depth, or 0 at the number of the word's bits; `None` for greater depths, or for
+/// depths that would take too long.
 fn level_start<W: KeyWord>(depth: u32) -> Option<W> {
     (depth <= W::WIDTH.unwrap_or(1 << 16)).then(|| (0..depth).fold(W::one(), |start, _| start.shl1()))
 }

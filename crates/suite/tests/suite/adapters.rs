@@ -1,5 +1,5 @@
-//! The example adapters of the conformance suite, asked as programs: they pass what they name, and a mistake that is
-//! planted in their text is found. And the JSON Schemas, which name all that there is.
+//! Runs the example adapters of the conformance suite as programs. They pass the profiles that they declare, and
+//! planted mistakes in their source are detected. Also checks that the JSON Schemas are complete.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,7 @@ use stackless_suite::{Feature, Report, Runner, Suite, Waivers};
 
 use super::SUITE;
 
-/// A language that an adapter is written in.
+/// The language of an adapter.
 #[derive(Clone, Copy)]
 pub(super) enum Language {
     C,
@@ -30,7 +30,7 @@ impl Language {
         text(&format!("adapters/{}", self.file()))
     }
 
-    /// The command that runs a source; `None`, with a message, where compiler or interpreter is not there.
+    /// Returns the command that runs a source; `None`, with a message, if the compiler or interpreter is missing.
     pub(super) fn command(self, name: &str, source: &str) -> Option<Vec<String>> {
         let tool = match self {
             Self::C => "cc",
@@ -54,7 +54,7 @@ impl Language {
     }
 }
 
-/// Of a file of `spec/suite`.
+/// Reads a file of `spec/suite`.
 pub(super) fn text(path: &str) -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../spec/suite").join(path);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -67,7 +67,7 @@ pub(super) fn ask(command: Vec<String>, suite: &Suite) -> Report {
     runner.run(|_| {}).unwrap()
 }
 
-/// Asks all that it names, which is so many cases.
+/// Checks that an adapter passes all its declared profiles, with this number of cases.
 fn conforms(language: Language, cases: usize) {
     let Some(command) = language.command("as-it-is", &language.source()) else { return };
     let report = ask(command, &SUITE);
@@ -76,8 +76,8 @@ fn conforms(language: Language, cases: usize) {
     assert_eq!(report.count("pass"), cases);
 }
 
-/// Asks the cases of a profile with some words of the source replaced, which stand there once. The first case that
-/// fails is one of this clause.
+/// Replaces words of the source, which must occur once, and runs the cases of a profile. The first failing case must
+/// have this clause.
 fn is_caught(language: Language, from: &str, to: &str, profile: &str, clause: &str) {
     let source = language.source();
     assert_eq!(source.matches(from).count(), 1, "{from}");
@@ -226,7 +226,7 @@ fn a_mistake_in_the_python_adapter_is_caught() {
     }
 }
 
-/// What a reader copies first works, as far as the text says.
+/// Checks the first example of the README, which readers copy.
 #[test]
 fn the_first_example_of_the_readme_runs() {
     let readme = text("README.md");
@@ -241,7 +241,7 @@ fn the_first_example_of_the_readme_runs() {
     assert!(readme.contains(&format!("{}: fail: {}\n", first.id, first.outcome)), "{}: {}", first.id, first.outcome);
 }
 
-/// The alternatives of a definition, which say what a field is.
+/// Returns the constants of a definition's alternatives.
 fn constants<'a>(schema: &'a Value, definition: &str) -> BTreeSet<&'a str> {
     schema["$defs"][definition]["enum"].as_array().into_iter().flatten().filter_map(Value::as_str).collect()
 }
@@ -262,7 +262,7 @@ fn the_schemas_name_all_that_there_is() {
     assert_eq!(named.collect::<BTreeSet<_>>(), ops);
     let rejections: BTreeSet<_> = suite.cases().filter_map(|(_, case)| rejection(case)).collect();
     for (schema, is_whole) in [(&vectors, false), (&schema("reply"), true)] {
-        // No case is too deep for everybody.
+        // No case exceeds every implementation's limits.
         let codes = constants(schema, "code");
         let missing: Vec<_> = codes.symmetric_difference(&rejections).copied().collect();
         assert_eq!(missing, if is_whole { vec!["too-deep"] } else { vec![] });

@@ -1,11 +1,11 @@
-//! Suites that others have written: what is in them is asked, or the file is refused.
+//! Tests of reading modified suites: every listed case is run, or the file is rejected.
 
 use std::io;
 
 use stackless_suite::{Suite, SuiteError, VERSION};
 use tempfile::TempDir;
 
-/// A few cases of two profiles.
+/// Returns a few cases of two profiles.
 fn some() -> Suite {
     let mut suite = super::SUITE.clone();
     suite.profiles.retain(|profile| ["key/u32", "key/u64"].contains(&profile.name().as_str()));
@@ -13,7 +13,7 @@ fn some() -> Suite {
     suite
 }
 
-/// The suite as read from its files, of which `change` has made others.
+/// Writes the suite to files, modifies them, and reads them.
 fn reread(change: impl FnOnce(&mut Vec<(String, String)>)) -> Result<Suite, SuiteError> {
     let mut files = some().files();
     change(&mut files);
@@ -39,7 +39,7 @@ fn files_are_read_as_they_are_written() {
     assert!(matches!(reread(|files| files.truncate(1)), Err(SuiteError::Read { path, .. }) if path == "index.json"));
 }
 
-/// No name leads out of the folder, into a shell or to a terminal.
+/// No name leaves the folder or reaches a shell or a terminal unescaped.
 #[test]
 fn names_are_letters() {
     for name in ["../x", "..", "", "a/b", "U32", "u32\\u001b[2J", "u 32", "u\\\"32"] {
@@ -55,7 +55,7 @@ fn names_are_letters() {
     assert!(matches!(replaced(FIRST, id, &some().profiles[0].cases[1].id), Err(SuiteError::Twice { .. })));
 }
 
-/// What the index says is there, and once.
+/// The files must match the index, without duplicates.
 #[test]
 fn the_index_is_compared() {
     let with = |from: &str, to: &str| replaced(INDEX, from, to).unwrap_err();
@@ -64,7 +64,7 @@ fn the_index_is_compared() {
     assert!(matches!(with("vectors/key/u32", "vectors/key/u64"), SuiteError::Name { .. }));
     assert!(matches!(with(VERSION, "1.0.0"), SuiteError::Version { .. }));
     assert!(matches!(with("\"suite\"", "\"more\":1,\"suite\""), SuiteError::Json { .. }));
-    // Another profile under this one's name.
+    // Another profile's content under this profile's name.
     let swapped = reread(|files| files[0].1 = files[1].1.clone());
     assert!(matches!(swapped, Err(SuiteError::Index { .. })), "{swapped:?}");
     let gone = reread(|files| drop(files.remove(0)));
@@ -73,7 +73,7 @@ fn the_index_is_compared() {
     assert!(matches!(empty, Err(SuiteError::Empty)));
 }
 
-/// In a folder nothing is passed over.
+/// Every file in a folder must be listed.
 #[test]
 fn a_folder_holds_what_its_index_names() {
     let folder = TempDir::new().unwrap();
@@ -83,7 +83,7 @@ fn a_folder_holds_what_its_index_names() {
         std::fs::write(path, text).unwrap();
     };
     for (path, text) in some().files() {
-        // Marks of editors do not count.
+        // Byte order marks are ignored.
         write(&path, &format!("\u{feff}{text}"));
     }
     write("vectors/key/README.md", "");

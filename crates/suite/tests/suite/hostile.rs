@@ -1,4 +1,4 @@
-//! Lines that are almost right. `tests/suite/test_hostile.py` holds the same ones against the runner in Python.
+//! Lines that are almost valid. `tests/suite/test_hostile.py` tests the runner in Python with the same lines.
 
 use serde::Deserialize;
 use stackless_suite::RunError;
@@ -24,7 +24,7 @@ fn first() -> String {
     "key/u32/child-left-root".to_owned()
 }
 
-/// What comes of one case, by a program that says so much.
+/// Returns the outcome of one case for a program that writes these lines.
 fn outcome(case: &str, hello: &str, answer: &str) -> (&'static str, bool) {
     let script = r#"read -r h; printf '%s\n' "$1"; read -r c; printf '%s\n' "$2"; read -r b"#;
     let suite = suite_of(|id| id == case);

@@ -1,10 +1,9 @@
-//! What the expectations and the judge rest on: of the library only the choices that cases are made of. `[CONF-4]`
+//! The expectations and the judge use only the library's random choices. `[CONF-4]`
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Files of `src`, and what they may use of the library's modules: its random choices, and the macro that gives an
-/// enumeration its names.
+/// Files of `src` with the library modules that they may use: random choices, and the macro for names of enumerations.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("ask.rs", &["generate"]),
     ("author", &["generate"]),
@@ -15,7 +14,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("text.rs", &[]),
 ];
 
-/// What the library answers, under every name by which it could be asked.
+/// All names through which the library's answers could be called.
 const FORBIDDEN: &[&str] = &[
     "stackless_check",
     "own::",
@@ -35,12 +34,12 @@ fn code(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-/// What code uses of the library: its modules, and whatever is forbidden to all.
+/// Returns the library modules that code uses, and all forbidden names.
 fn used(code: &str) -> BTreeSet<String> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let module = |at: usize| {
         let rest = code[at..].strip_prefix("::").unwrap_or(&code[at..]);
-        // Of `stackless_bvh::{a, b}` this is `{`, which is in no list.
+        // For `stackless_bvh::{a, b}` this is `{`, which is in no list.
         rest[..rest.find(|c| !is_name(c)).unwrap_or(rest.len()).max(1)].to_owned()
     };
     let name = "stackless_bvh";

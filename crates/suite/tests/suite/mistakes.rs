@@ -1,14 +1,14 @@
-//! Mistakes that readers of the suite have made, planted in the adapters: a case of the name that is given fails.
+//! Mistakes of readers of the suite, planted in the adapters. A case with the given prefix must fail.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::adapters::{Language, ask};
 use super::suite_of;
 
-/// How many have been planted: each in a file of its own.
+/// Number of planted mistakes. Each has its own file.
 static COUNT: AtomicUsize = AtomicUsize::new(0);
 
-/// Replaces words, each of which stands in the source once, and asks the cases whose ids begin so.
+/// Replaces words that must occur once in the source, and runs the cases whose ids have a prefix.
 fn plant(language: Language, edits: &[(&str, &str)], cases: &str) -> Option<stackless_suite::Report> {
     let mut source = language.source();
     for (from, to) in edits {
@@ -25,7 +25,7 @@ fn is_caught(language: Language, base: &[(&str, &str)], from: &str, to: &str, ca
     assert!(report.verdicts.iter().any(|verdict| verdict.outcome.is_bad()), "'{to}' is not caught by {cases}*");
 }
 
-/// A mistake, and what the ids of the cases begin with that show it.
+/// A mistake, and the prefix of the cases that detect it.
 type Mistake = (&'static str, &'static str, &'static str);
 
 const C: [Mistake; 9] = [
@@ -59,7 +59,7 @@ fn a_mistake_of_numbers_in_c_is_caught() {
     }
 }
 
-/// Numbers as others keep them, and the test of a box in single precision.
+/// Other number types, and the box test in single precision.
 const KEPT: [(&str, &str); 1] = [(
     "def word(number):",
     "import ctypes
@@ -120,7 +120,7 @@ fn a_mistake_of_numbers_is_caught() {
     }
 }
 
-/// Bits of levels that need not be asked again: WIDE-18. The adapter asks always.
+/// Bits for levels that need no repeated query: WIDE-18. The original adapter always repeats it.
 const CLEAN: [(&str, &str); 4] = [
     ("    is_visited = next == \"backtrack\"\n", "    is_visited = next == \"backtrack\"\n    clean = 0\n"),
     (
@@ -209,7 +209,7 @@ fn a_mistake_of_wide_words_is_caught() {
     for (from, to, cases) in OF_CLEAN {
         is_caught(Language::Python, &CLEAN, from, to, cases);
     }
-    // Of 64 bits that say that the end has changed, those that enter above are not set.
+    // In a 64-bit set of changes of the end, the bits shifted in at the top are not set.
     let of_64 = [&CLEAN[..], &[("clean >>= n + 1", "clean = clean >> n + 1 | -1 << max(63 - n, 0)")]].concat();
     is_caught(Language::Python, &of_64, "clean = clean << 1 | 1", "clean |= 1", "trace/wide/dirty-again-34");
     for (from, to, cases) in OF_WORDS {

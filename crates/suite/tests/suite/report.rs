@@ -1,10 +1,10 @@
-//! What a report says of failures: which come first, and which are excused.
+//! Reports of failures: their order, and waivers.
 
 use stackless_suite::{Runner, WaiverError, Waivers};
 
 use super::runner::{RIGHT, program, run, runner, some_cases};
 
-/// Waivers excuse what fails, and only that.
+/// Waivers excuse only failures.
 #[test]
 fn waivers_are_for_what_fails() {
     let folder = tempfile::tempdir().unwrap();
@@ -34,7 +34,8 @@ fn waivers_are_for_what_fails() {
     assert!(load(&[second, second]).is_err());
 }
 
-/// A pattern excuses what fails of many; it grows old when nothing does. Cases that are not run say nothing.
+/// A pattern excuses failures among many cases. It is stale if none of them fails. Cases that are not run do not
+/// matter.
 #[test]
 fn waivers_may_be_patterns_and_of_other_cases() {
     let run = |ids: &[&str], count| {
@@ -45,11 +46,11 @@ fn waivers_may_be_patterns_and_of_other_cases() {
     let excused = run(&["key/u32/*", "ray/exact/midpoint-even", "hash/*"], 3);
     assert!(excused.is_conforming() && excused.waived() == 2 && excused.count("pass") == 1, "{excused:?}");
     assert!(!run(&["key/u32/none-*"], 3).is_conforming());
-    // The first case is passed.
+    // The first case passes.
     let stale = run(&["key/u32/child*"], 1);
     assert!(!stale.is_conforming() && stale.faults[0].contains("not needed any more"), "{stale:?}");
     assert_eq!(stale.waived(), 0);
-    // What is written excuses just what fails, and keeps reasons.
+    // The written waivers excuse exactly the failures, and keep reasons.
     let waivers = serde_json::to_string(&run(&["key/u32/*"], 3).to_waivers()).unwrap();
     assert_eq!(waivers.matches("\"known\"").count(), 2, "{waivers}");
     let written = run(&[], 3).to_waivers();
@@ -59,7 +60,7 @@ fn waivers_may_be_patterns_and_of_other_cases() {
     assert!(again.is_conforming() && again.waived() == 2, "{again:?}");
 }
 
-/// A waiver of a profile that the program does not name grows old too.
+/// A waiver of an undeclared profile is also stale.
 #[test]
 fn waivers_of_what_is_not_asked_are_reported() {
     let mut command = program(RIGHT);
@@ -77,7 +78,7 @@ fn waivers_of_what_is_not_asked_are_reported() {
     }
 }
 
-/// The smallest case of each profile comes first, basic profiles before those that rest on them.
+/// The smallest case of each profile comes first, and basic profiles come before those that depend on them.
 #[test]
 fn failures_are_in_the_order_to_look_at_them() {
     let mut suite = super::SUITE.clone();

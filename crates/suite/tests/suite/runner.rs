@@ -1,10 +1,10 @@
-//! The runner survives whatever a program does, and says who is to blame.
+//! The runner survives any behaviour of a program, and reports the case that caused it.
 
 use std::time::Duration;
 
 use stackless_suite::{Outcome, Report, RunError, Runner, Suite, Waivers};
 
-/// A program that answers each case by `answer`, a shell command that finds the number in `$seq`.
+/// Returns a program that answers each case by `answer`, a shell command with the number in `$seq`.
 pub(crate) fn program(answer: &str) -> Vec<String> {
     let script = format!(
         r#"read -r hello
@@ -18,7 +18,7 @@ done"#
     ["sh", "-c", &script].map(ToOwned::to_owned).to_vec()
 }
 
-/// The first cases of a profile.
+/// Returns the first cases of a profile.
 pub(crate) fn some_cases(count: usize) -> Suite {
     let mut suite = super::SUITE.clone();
     suite.profiles.retain(|profile| profile.name() == "key/u32");
@@ -46,7 +46,7 @@ pub(crate) fn runner(command: Vec<String>, suite: &Suite) -> Runner<'_> {
 fn outcomes(answer: &str, count: usize) -> Report {
     let [one, few, many] = [1, 4, 64].map(|window| run(program(answer), count, window, Waivers::default()).unwrap());
     let names = |report: &Report| report.verdicts.iter().map(|it| it.outcome.name()).collect::<Vec<_>>();
-    // How many are asked at once makes no difference.
+    // The number of simultaneous cases does not matter.
     assert_eq!(names(&one), names(&few), "{answer}");
     assert_eq!(names(&one), names(&many), "{answer}");
     assert!(!many.is_conforming());
@@ -55,7 +55,7 @@ fn outcomes(answer: &str, count: usize) -> Report {
 
 pub(crate) const RIGHT: &str = r#"printf '{"seq":%s,"result":{"key":"2"}}\n' "$seq""#;
 
-/// The first case asks for the left child of the root, which is 2; the others have other answers.
+/// The first case queries the left child of the root, which is 2. The other cases have other answers.
 #[test]
 fn a_wrong_answer_is_a_failure() {
     let report = outcomes(RIGHT, 4);
@@ -71,7 +71,7 @@ fn a_crash_is_that_of_its_case() {
     assert_eq!((report.count("crash"), report.count("pass"), report.count("fail")), (1, 1, 3));
 }
 
-/// A crash that does not come again is not forgotten.
+/// A crash that is not reproduced is still reported.
 #[test]
 fn a_crash_that_happens_once_is_a_fault() {
     let folder = tempfile::tempdir().unwrap();
@@ -82,7 +82,7 @@ fn a_crash_that_happens_once_is_a_fault() {
     assert_eq!((report.count("crash"), report.count("fail")), (0, 6));
     assert!(report.faults.len() == 1 && report.faults[0].contains("ended with cases unanswered"), "{report:?}");
     assert!(report.faults[0].contains("exit status: 3"), "{report:?}");
-    // One that comes again is its case's, and no fault beside that.
+    // A reproduced crash is the outcome of its case, and not also a fault.
     let again = run(program(&format!("[ \"$seq\" = 3 ] && exit 3; {right}")), 6, 4, Waivers::default()).unwrap();
     assert_eq!((again.count("crash"), again.faults.len()), (1, 0), "{again:?}");
 }
@@ -128,7 +128,7 @@ fn unsupported_is_a_failure_where_the_profile_was_named() {
     assert_eq!(report.count("fail"), 3);
 }
 
-/// However it fails, and whatever was written ahead: what comes after is not asked.
+/// After any kind of failure, and with any cases already sent, the remaining cases are not run.
 #[test]
 fn the_first_failure_can_be_the_last() {
     let answers = ["exit 3", "sleep 60", "echo no", r#"printf '{"seq":%s,"unsupported":"no"}\n' "$seq""#];
@@ -143,7 +143,7 @@ fn the_first_failure_can_be_the_last() {
     }
 }
 
-/// A program that answers nothing is not started for ever.
+/// A program that answers nothing is not restarted forever.
 #[test]
 fn whoever_only_ends_is_given_up() {
     let report = run(program("exit 1"), 60, 64, Waivers::default()).unwrap();
@@ -193,7 +193,7 @@ fn what_is_named_twice_is_reported() {
     }
 }
 
-/// However often a program keeps silent, the run ends.
+/// The run ends even if a program is silent after every start.
 #[test]
 fn a_run_has_a_budget() {
     let suite = some_cases(40);
@@ -209,7 +209,7 @@ fn a_run_has_a_budget() {
     assert!(start.elapsed() < Duration::from_secs(10));
 }
 
-/// What a program writes to its standard error stands where it ended, once, and does nothing to a terminal.
+/// The standard error of a program is in the report of its exit, once, and is escaped for terminals.
 #[test]
 fn the_last_words_of_a_program_are_told() {
     let flood = "i=0; while [ $i -lt 3000 ]; do echo some words >&2; i=$((i + 1)); done";
@@ -221,7 +221,7 @@ fn the_last_words_of_a_program_are_told() {
     assert!(hello.unwrap_err().to_string().ends_with("exit status: 7; its standard error ends with: broken"));
 }
 
-/// Reports name what happened, and are whole.
+/// Reports are complete, and name the events.
 #[test]
 fn reports_can_be_read() {
     let report =
@@ -237,7 +237,7 @@ fn reports_can_be_read() {
     assert_eq!(json["cases"].as_array().unwrap().len(), 3);
 }
 
-/// Whoever is asked nothing does not conform.
+/// A run without cases is not conformance.
 #[test]
 fn nothing_asked_is_no_conformity() {
     for profiles in ["[]", "[\"hash/fold\"]"] {
@@ -249,7 +249,7 @@ fn nothing_asked_is_no_conformity() {
     }
 }
 
-/// Of a profile that is named something has to pass, or to be excused. Advice that is not followed says nothing.
+/// A declared profile needs a case that passes or is waived. Failed recommended cases are no evidence.
 #[test]
 fn nothing_is_said_of_a_profile_by_advice_alone() {
     let suite = super::suite_of(|id| id == "ray/invalid/negative-tmin" || id.starts_with("trace/tape/ties-"));
@@ -262,12 +262,12 @@ fn nothing_is_said_of_a_profile_by_advice_alone() {
     assert!(with("\"ray/invalid\"", right).is_conforming());
     let advised = with("\"ray/invalid\"", wrong);
     assert!(!advised.is_conforming() && advised.faults[0].contains("only advised"), "{:?}", advised.faults);
-    // These need a feature that is not named.
+    // These cases need an undeclared feature.
     let other = with("\"ray/invalid\",\"trace/tape\"", right);
     assert!(!other.is_conforming() && other.faults[0].starts_with("trace/tape is named"), "{:?}", other.faults);
 }
 
-/// What others write is not repeated at length.
+/// Long text from programs is shortened.
 #[test]
 fn long_answers_are_cut() {
     let long = "$(printf '%0100000d' 0)";
@@ -291,11 +291,11 @@ fn long_answers_are_cut() {
     assert!(report.hello.name.len() < 200 && report.hello.version.len() < 200 && report.faults[0].len() < 200);
     let wrong = format!(r#"read -r hello; printf '{{"protocol":1,"name":"x","features":["%s"]}}\n' {long}"#);
     let error = run(vec!["sh".into(), "-c".into(), wrong], 1, 1, Waivers::default()).unwrap_err();
-    // The command is part of it.
+    // The command is also shortened.
     assert!(error.to_string().len() < 1000, "{error}");
 }
 
-/// `JUnit` files are XML, whatever the program has said, and their counts are those of their elements.
+/// `JUnit` files are valid XML with any text from the program, and their counts match their elements.
 #[test]
 fn junit_is_well_formed_and_adds_up() {
     let evil = "\u{0}\u{1}\u{1b}[2J]]>&lt;<!--\u{7f}\u{9f}\u{fffe}\u{ffff}\u{202e}\"'\r\n\t\u{10ffff}";
@@ -322,7 +322,7 @@ fn junit_is_well_formed_and_adds_up() {
     assert_eq!((count("testcase"), count("failure"), count("skipped")), ("7".into(), "5".into(), "2".into()));
 }
 
-/// Neither a time-out nor the end of a run leaves a process behind, not even one that the program has started.
+/// Neither a time-out nor the end of a run leaves a process, including those that the program has started.
 #[cfg(unix)]
 #[test]
 fn nothing_survives() {
@@ -338,7 +338,7 @@ fn nothing_survives() {
     }
 }
 
-/// Whether a process runs, a little later: one that has been ended may still be in the table, without doing anything.
+/// Returns whether a process still runs after a short time. An ended process may still be in the process table.
 #[cfg(unix)]
 fn is_alive(pid: &str) -> bool {
     let state = || {

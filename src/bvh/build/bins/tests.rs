@@ -3,7 +3,7 @@ use crate::bvh::Primitives;
 use crate::generate::procedural;
 use crate::geom::lanes::{levels, vectorize};
 
-/// The least weight of all borders, one item after the other.
+/// Returns the least weight of all borders, computed item by item.
 fn least<const N: usize>(items: &[Record], centroids: &Planes) -> f32 {
     let mut least = f32::INFINITY;
     for axis in 0..3 {
@@ -69,7 +69,7 @@ fn no_border_is_cheaper_and_items_go_to_their_sides() {
     }
 }
 
-/// Centroids at the borders, where rounding decides.
+/// Centroids are at the borders, where rounding decides.
 #[test]
 fn halves_go_where_they_are_counted() {
     let items: Vec<_> = (0..65_u8)

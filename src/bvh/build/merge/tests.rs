@@ -5,7 +5,7 @@ use crate::generate::draw::Draw;
 use crate::geom::Aabb;
 use crate::geom::lanes::{levels, vectorize};
 
-/// Checks boxes and counts below a pair, notes the items there, and returns the box of all.
+/// Checks boxes and counts below a pair, records its items, and returns the union of their boxes.
 fn check(nodes: &[Record], pair: usize, seen: &mut Vec<u32>) -> Planes {
     let [left, right] = [nodes[pair], nodes[pair + 1]].map(|node| {
         if node.is_leaf() {
@@ -20,7 +20,7 @@ fn check(nodes: &[Record], pair: usize, seen: &mut Vec<u32>) -> Planes {
     union(&left, &right)
 }
 
-/// The sum of half areas of all merges, each of the two clusters whose union is smallest.
+/// Returns the sum of half areas of all merges. Each merges the two clusters with the smallest union.
 fn greedy(items: &[Record]) -> f32 {
     let (mut clusters, mut sum): (Vec<Planes>, f32) = (items.iter().map(|item| *item.planes()).collect(), 0.0);
     while clusters.len() > 1 {

@@ -5,12 +5,12 @@ use crate::bvh::BuildOptions;
 use crate::generate::procedural;
 use crate::geom::Mesh;
 
-/// Sum of half areas, relative to that of the root.
+/// Returns the sum of half areas, relative to that of the root.
 fn area(nodes: &[Record]) -> f64 {
     nodes.iter().map(|node| f64::from(node.half_area())).sum::<f64>() / f64::from(nodes[0].half_area())
 }
 
-/// A soup, and as many triangles that are points or lie along an axis: their boxes have no area.
+/// Returns a soup with an equal number of triangles that are points or parallel to an axis. Their boxes have no area.
 fn with_flat(n: usize) -> Mesh {
     let soup = procedural::soup(5, n);
     let mut corners = soup.vertices().to_vec();
@@ -34,7 +34,7 @@ fn only_the_largest_nodes_are_moved() {
     assert_eq!(tree.large(areas.least(1.0)).len(), total);
 }
 
-/// Moves that are taken back leave the tree as it was; those that are not make it cheaper. [BUILD-5]
+/// Rejected moves leave the tree unchanged, and accepted moves make it cheaper. [BUILD-5]
 #[test]
 fn every_move_pays() {
     for (mesh, depth_limit) in [(with_flat(300), 60), (procedural::strands(5, 60), 60), (procedural::soup(6, 500), 10)]
@@ -59,7 +59,7 @@ fn every_move_pays() {
         }
         assert!(made >= 5 && refused > 1000, "{made} {refused}");
         assert!(tree.height(tree.node(0)) <= depth_limit);
-        // Boxes, counts, parents and heights are those of the children.
+        // Boxes, counts, parents and heights match the children.
         for place in 0..tree.nodes.len() as u32 {
             let node = *tree.node(place);
             if !node.is_leaf() {

@@ -24,7 +24,7 @@ fn build(mesh: &Mesh, options: &BuildOptions) -> Bvh {
 }
 
 fn meshes() -> Vec<Mesh> {
-    // Long diagonals side by side, triangles that are one and the same, and coordinates whose extent overflows.
+    // Long parallel diagonals, identical triangles, and coordinates whose extent overflows.
     let diagonals = (0..60).flat_map(|i| {
         let (from, to) = (Vec3::X * (i as f32 * 0.3), Vec3::new(i as f32 * 0.3 + 9.0, 9.0, 9.1));
         [from, to, to + Vec3::X * 0.1]
@@ -77,7 +77,7 @@ fn slices_are_nearly_the_parts() {
         for prim in 0..mesh.triangles().len() {
             let corners = mesh.corners(prim).expect("a triangle").map(Vec3A::from);
             let whole = Spread::of(&Record::item(&mesh.aabb(prim), 0));
-            // The whole, and a part that is a part already: its middle half on every axis.
+            // The whole triangle, and a part of it: its middle half on every axis.
             let quarter = (whole.hi - whole.lo) * 0.25;
             for node in [whole, Spread { lo: whole.lo + quarter, hi: whole.hi - quarter }] {
                 for axis in 0..3 {
@@ -90,11 +90,11 @@ fn slices_are_nearly_the_parts() {
                         within.lo[axis] = within.lo[axis].max(scale.border(bin));
                         within.hi[axis] = within.hi[axis].min(scale.border(bin + 1));
                         let [slice, part] = [slice.intersection(node).aabb(), mesh.part(prim, &within)];
-                        // What rounding may cost, of the extent and of the coordinates.
+                        // The bound of rounding errors, from the extent and the coordinates.
                         let greatest = Vec3::from(whole.lo.abs().max(whole.hi.abs())).max_element();
                         let slack =
                             1e-5 * Vec3::from(whole.hi - whole.lo).max_element() + 4.0 * f32::EPSILON * greatest;
-                        // A part of a part is cut by all of its planes, a slice by two: it is the greater one.
+                        // A part of a part is clipped by all of its planes, a slice by two, so the slice is larger.
                         let holds = (slice.lo - slack).cmple(part.lo).all() && part.hi.cmple(slice.hi + slack).all();
                         let is_near = (slice.lo - part.lo).abs().max((part.hi - slice.hi).abs()).max_element() < slack;
                         let is_cut_before = node.lo != whole.lo;
@@ -112,7 +112,7 @@ fn slices_are_nearly_the_parts() {
 
 #[test]
 fn planes_that_cut_more_than_there_is_room_for_are_not_tried() {
-    // All are one triangle, so that every plane cuts all of them.
+    // All triangles are equal, so every plane cuts all of them.
     let bvh = build(&meshes()[1], &options(50, 0.0));
     assert_eq!(bvh.duplicates(), 0);
     assert!(build(&meshes()[1], &options(100, 0.0)).duplicates() > 0);
@@ -163,7 +163,7 @@ fn bits(hit: Option<Hit>) -> Option<(u32, [u32; 3])> {
     hit.map(|Hit { prim, t, u, v }| (prim, [t, u, v].map(f32::to_bits)))
 }
 
-/// A mesh whose parts are too small, by one float.
+/// A mesh whose parts are too small by one ulp.
 struct Clumsy<'a>(&'a Mesh);
 
 impl Primitives for Clumsy<'_> {

@@ -32,7 +32,7 @@ fn comes_back<const A: usize, V: Precision + Stored>(wide: &WideBvh<A, V>, mesh:
     assert_eq!(back.validate(mesh), Ok(()));
 }
 
-/// [FILE-6] [FILE-7]
+/// Wide hierarchies survive a round trip. [FILE-6] [FILE-7]
 #[test]
 fn wide_hierarchies_come_back() {
     let meshes = [procedural::soup(1, 1), procedural::soup(2, 500), procedural::strands(3, 300), cut(30, 1).1];
@@ -58,7 +58,7 @@ fn wide_hierarchies_come_back() {
     assert_eq!((back.nodes, back.blocks), (nothing.nodes, nothing.blocks));
 }
 
-/// With their frames, which a tree of no triangles may have too. [FILE-6] [FILE-7]
+/// Also with frames, which a tree without triangles may have. [FILE-6] [FILE-7]
 #[test]
 fn wide_hierarchies_in_double_precision_come_back() {
     for place in double::PLACES {
@@ -114,7 +114,7 @@ fn malformed_wide_files_are_refused_by_name() {
     }
     let flipped = patched(&bytes, bytes.len() - 8, 0);
     assert!(matches!(load(&flipped), Err(E::Checksum { .. })));
-    // Of triangles in parts, one part has moved.
+    // One part of a split triangle has moved.
     let parts = WideBvh::<8>::of(&cut(40, 1).0).expect("small enough");
     let mut prims: Vec<_> =
         parts.blocks.iter().enumerate().flat_map(|(b, it)| it.prims.map(|prim| (prim, b))).collect();
@@ -139,7 +139,7 @@ fn every_flipped_bit_of_a_wide_file_is_refused() {
 }
 
 proptest! {
-    /// What is accepted comes back as the same bytes, and rays through it end. [FILE-8]
+    /// Accepted files encode to the same bytes, and rays through them terminate. [FILE-8]
     #[test]
     fn patched_wide_files_do_not_mislead(
         seed in 0_u64..50,
@@ -149,7 +149,7 @@ proptest! {
         let mut bytes = wide::<8>(&mesh).to_bytes();
         for (at, word) in patches {
             let at = BODY_AT + 4 * at.index((bytes.len() - 8 - BODY_AT) / 4);
-            // Words that stand somewhere in the file are more likely to mean something.
+            // Words from elsewhere in the file are more likely to be plausible.
             let from = BODY_AT + 4 * (word as usize % ((bytes.len() - 8 - BODY_AT) / 4));
             let word = if word % 2 == 0 { word } else { u32::from_le_bytes(bytes[from..from + 4].try_into().unwrap()) };
             bytes = patched(&bytes, at, word);

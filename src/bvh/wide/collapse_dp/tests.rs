@@ -2,7 +2,7 @@ use super::*;
 use crate::bvh::{BuildOptions, WideBvh};
 use crate::generate::procedural;
 
-/// The least costs, from the definition.
+/// The least costs, by definition.
 struct Costs64<'a> {
     draft: &'a Draft,
     options: WideOptions,
@@ -10,7 +10,7 @@ struct Costs64<'a> {
 }
 
 impl Costs64<'_> {
-    /// Of a forest of at most so many roots.
+    /// Returns the least cost of a forest of at most this number of roots.
     fn forest(&self, node: &Record, roots: usize) -> f64 {
         let (area, count) = (f64::from(node.half_area()), node.count());
         let fewer = if roots > 1 { self.forest(node, roots - 1) } else { f64::INFINITY };
@@ -56,7 +56,7 @@ fn check<const A: usize>(n: usize, options: &WideOptions) {
     let wide = WideBvh::<A>::with_options(&bvh, options).expect("small enough");
     let costs = Costs64 { draft: &draft, options: *options, slots: A };
     let root = draft.node(0);
-    // The root is a node in any case.
+    // The root always becomes a node.
     let as_node = f64::from(root.half_area() * options.node_cost);
     let whole = costs.forest(root, 1);
     let expected =

@@ -1,7 +1,7 @@
 use super::*;
 use crate::generate::draw::Draw;
 
-/// The best pairs first, of all pairs.
+/// Assigns the best pairs first, out of all pairs.
 fn expected(boxes: &[Aabb]) -> Vec<u32> {
     let middle = boxes.iter().copied().fold(Aabb::EMPTY, Aabb::union).centroid();
     let toward = |slot: u32| Vec3::from([0, 1, 2].map(|axis| if slot >> axis & 1 == 1 { 1.0 } else { -1.0 }));
@@ -29,7 +29,7 @@ fn the_best_pairs_come_first() {
             .collect();
         assert_eq!(assign::<8>(&boxes)[..boxes.len()], expected(&boxes));
     }
-    // Boxes in one place, and boxes without a middle, have slots of their own.
+    // Equal boxes and boxes without a centroid get separate slots.
     let all = Aabb { lo: Vec3::NEG_INFINITY, hi: Vec3::INFINITY };
     for aabb in [all, Aabb { lo: Vec3::ZERO, hi: Vec3::ONE }, Aabb { lo: Vec3::MIN, hi: Vec3::MIN }] {
         let mut slots = assign::<8>(&[aabb; 8]);

@@ -24,13 +24,13 @@ fn moved_triangles_are_held_again() {
     assert_eq!((four.refit(&raised), four.validate(&flat)), (Err(RefitError::Revived(1)), Ok(())));
 }
 
-/// Twisted about the y axis, by so much for each unit of y.
+/// Twists a mesh about the y axis by an angle per unit of y.
 fn twisted(mesh: &Mesh, turn: f32) -> Mesh {
     let vertices = mesh.vertices().iter().map(|v| v.rotate_y(turn * v.y)).collect();
     Mesh::new(vertices, mesh.triangles().to_vec()).expect("a mesh")
 }
 
-/// Half areas of all boxes, which is about what rays visit.
+/// Returns the sum of half areas of all boxes, roughly the number of visits of rays.
 fn cost<const A: usize, V: Precision>(wide: &WideBvh<A, V>) -> f64 {
     let boxes =
         wide.nodes.iter().flat_map(|node| (0..A as u32).map(|slot| (node.has_child(slot), node.child_box(slot))));
@@ -64,7 +64,7 @@ fn optimizing_makes_a_spoilt_tree_cheaper() {
     }
 }
 
-/// Of any number of triangles, chains that are too deep, parts of triangles, and boxes whose areas overflow or vanish.
+/// For any number of triangles, chains that are too deep, parts of triangles, and boxes whose areas overflow or vanish.
 #[test]
 fn any_tree_is_optimized() {
     let mut empty = WideBvh::<8>::empty();
@@ -95,7 +95,7 @@ fn any_tree_is_optimized() {
     }
 }
 
-/// A child alone in its node takes the node's place.
+/// An only child replaces its parent.
 #[test]
 fn nodes_of_one_child_are_left_out() {
     let mesh = procedural::soup(3, 200);

@@ -1,4 +1,4 @@
-//! What the cases say of corners, edges, planes and distances, in whole numbers.
+//! Checks in integers that the cases have the described corners, edges, planes and distances.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,9 +8,9 @@ use crate::generate::draw::{exp2, nudge};
 use crate::generate::stress::tests::{RAYS, aimed_at, named};
 use crate::geom::Ray;
 
-/// det, U, V, W and T of ray and triangle in whole numbers, with signs as if det were not negative.
+/// det, U, V, W and T of a ray and a triangle in integers, negated if det is negative.
 ///
-/// Points and directions are each in units of a power of two of their own, of which all are multiples.
+/// Points and directions have separate units: powers of two, of which all coordinates are multiples.
 struct Exact {
     det: i128,
     weights: [i128; 3],
@@ -36,24 +36,24 @@ impl Exact {
         self.det > 0 && self.t >= 0 && self.weights.iter().all(|&weight| weight >= 0)
     }
 
-    /// 0 inside, 1 on an edge, 2 on a corner.
+    /// Returns 0 inside, 1 on an edge, 2 on a corner.
     fn zeros(&self) -> usize {
         self.weights.iter().filter(|&&weight| weight == 0).count()
     }
 
-    /// Whether `t` is 1 over this number.
+    /// Returns whether `t` is 1 divided by this number.
     fn t_is_one_over(&self, n: i128) -> bool {
         let [t, det] = [self.t << self.shift.max(0), self.det << (-self.shift).max(0)];
         n * t == det
     }
 
-    /// In double precision, good to about 2^-50.
+    /// Returns `t` in double precision, with an error of about 2^-50.
     fn t(&self) -> f64 {
         self.t as f64 / self.det as f64 * power(self.shift)
     }
 }
 
-/// Whole numbers times 2 to the power that comes with them.
+/// Converts points to integers and a common exponent of two.
 fn in_units<const N: usize>(points: [Vec3; N]) -> ([[i128; 3]; N], i32) {
     let least_bit = |x: f32| {
         let (exponent, fraction) = ((x.to_bits() >> 23 & 255) as i32, x.to_bits() & 0x7f_ffff);
@@ -86,7 +86,7 @@ fn dot(a: [i128; 3], b: [i128; 3]) -> i128 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// How many rays of a case meet what a predicate says, exactly, of any triangle.
+/// Counts the rays of a case that satisfy an exact predicate with any triangle.
 fn count(name: &str, wanted: impl Fn(&Exact, &Ray) -> bool) -> usize {
     let case = named(name);
     let meets =
@@ -94,7 +94,7 @@ fn count(name: &str, wanted: impl Fn(&Exact, &Ray) -> bool) -> usize {
     case.rays.iter().filter(meets).count()
 }
 
-/// The same of the triangle that the ray is aimed at.
+/// Counts the rays of a case that satisfy an exact predicate with the triangle at which they are aimed.
 fn count_aimed(name: &str, wanted: impl Fn(&Exact, &Ray) -> bool) -> usize {
     let case = named(name);
     let meets = |(i, ray): &(usize, &Ray)| wanted(&Exact::of(aimed_at(&case, *i), ray), ray);
@@ -103,7 +103,7 @@ fn count_aimed(name: &str, wanted: impl Fn(&Exact, &Ray) -> bool) -> usize {
 
 #[test]
 fn whole_rays_meet_edges_and_corners_exactly() {
-    // Name, how many weights are 0, and how many of the rays at least meet such a place.
+    // Name, number of zero weights, and the least number of rays that hit such a place.
     let exact = [
         ("edge", 1, 199),
         ("vertex", 2, 199),
@@ -195,7 +195,7 @@ fn ties_are_ties() {
     for ray in case.rays.iter().filter(|ray| ray.direction().truncate() == Vec2::ZERO) {
         let exact: Vec<_> = (0..200).map(|i| Exact::of(case.mesh.triangle(i), ray)).collect();
         assert!(exact.iter().all(Exact::hits));
-        // All distances differ, but they are at most three different floats.
+        // All distances differ, but they round to at most three floats.
         assert!(exact.windows(2).all(|pair| pair[0].t() != pair[1].t()));
         assert!(exact.iter().map(|exact| (exact.t() as f32).to_bits()).collect::<BTreeSet<_>>().len() <= 3);
     }
@@ -218,7 +218,7 @@ fn ties_are_ties() {
     }
 }
 
-/// The distance to a ramp whose slope is 1, along z, in units of 2^-101, of which it is a multiple.
+/// Returns the distance along z to a ramp of slope 1, as a multiple of 2^-101.
 fn to_ramp(corner: Vec3, ray: &Ray) -> i128 {
     let in_units = |x: f32| {
         if x.fract() == 0.0 { (x as i128) << 101 } else { (f64::from(x) * power(101)) as i128 }
@@ -246,7 +246,7 @@ fn distances_lie_between_floats() {
     for (i, ray) in case.rays.iter().enumerate() {
         let t = f64::from(aimed_at(&case, i)[0].z - aimed_at(&case, i)[0].x) + f64::from(ray.origin().x)
             - f64::from(ray.origin().z);
-        // Without the drift it is odd; with it, it is off by less than 2^-17 of 2^24.
+        // Without the drift it is odd. The drift changes it by less than 2^-17 of 2^24.
         assert!(t % 2.0 == 1.0 && ray.direction().truncate().abs().max_element() <= exp2(-42));
     }
     let case = named("t-subnormal-midpoint");

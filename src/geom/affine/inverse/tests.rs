@@ -7,7 +7,7 @@ use crate::geom::affine::tests::{double, number, solution};
 use crate::geom::tests::{exact, exponent, holds, sorted};
 use crate::geom::{AffineMap, Ray};
 
-/// From one number to another.
+/// Draws an interval.
 fn interval(end: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Interval> {
     let from = |x: f64, y: f64| sorted([x, y]);
     let near =
@@ -64,7 +64,7 @@ proptest! {
         is_held(&map, &EnclosedRay::new(origin, direction))?;
     }
 
-    /// The middles are 0 and the factors positive, so that nothing but the radii counts. [INST-3]
+    /// The midpoints are 0 and the factors positive, so only the radii have an effect. [INST-3]
     #[test]
     fn radii_are_wide_enough(rows in rows(1.0..2.0f64), radii in [1.0..2.0f64, 1.0..2.0f64, 1.0..2.0f64]) {
         let Ok(map) = AffineMap::new(rows.map(|[x, y, z, _]| [x, y, z, 0.0])) else { return Ok(()) };
@@ -90,16 +90,16 @@ proptest! {
     }
 }
 
-/// Entry, component, product and both sums are rounded down by nearly half a unit: five of the six that the bound is
-/// for. [INST-3]
+/// The entry, the component, the product and both sums are rounded down by nearly half a unit: five of the six
+/// roundings in the bound. [INST-3]
 #[test]
 fn the_bound_is_hardly_too_great() {
     let unit = f64::EPSILON;
-    // 1/d is just below the middle of two doubles.
+    // 1/d is just below the midpoint of two doubles.
     let j = 94_906_264.0;
     let d = 1.0 - j * unit / 2.0;
     let entry = 1.0 + j / 2.0 * unit;
-    // So is its product with s.
+    // Its product with s is also just below a midpoint.
     let s = 1.0 + (0.5 / unit / (j / 2.0)).floor() * unit;
     let nearly_half = 0.499_999 * unit;
     let map = AffineMap::new([[d, -1.0, -1.0, -nearly_half], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]).unwrap();
@@ -114,7 +114,7 @@ fn the_bound_is_hardly_too_great() {
     assert!(off > exact(4.9 / 2.0 * unit) && off < exact(3.0 * unit), "{}", off.to_f64().value() / unit);
 }
 
-/// A direction along the planes of boxes stays so, and so does an origin in one. [INST-3]
+/// A direction parallel to the planes of boxes stays parallel, and an origin in a plane stays in it. [INST-3]
 #[test]
 fn what_is_zero_stays_so() {
     let map = AffineMap::new([[0.6, -0.8, 0.0, 1.0], [0.8, 0.6, 0.0, 2.0], [0.0, 0.0, 1.0, 3.0f32]]).unwrap();
@@ -124,7 +124,7 @@ fn what_is_zero_stays_so() {
     assert_eq!([origin, direction].map(|v| v.map(|x| x.is_zero())), [[false, false, true]; 2]);
 }
 
-/// Radii so small that all products with them are rounded to 0. [INST-3]
+/// The radii are so small that all products with them round to 0. [INST-3]
 #[test]
 fn the_least_radii_count() {
     let map = AffineMap::new([[3.0, -4.0, 0.0, 0.0], [4.0, 3.0, 0.0, 0.0], [0.0, 0.0, 5.0, 0.0f32]]).unwrap();
@@ -157,7 +157,7 @@ fn turned_rays_stay_exact() {
     }
 }
 
-/// Shears by doubles: intervals, so that a ray may stay known exactly. [INST-3]
+/// Shears by doubles: the result may be an interval, but the ray can still be exact. [INST-3]
 #[test]
 fn sheared_rays_may_stay_exact() {
     let map = AffineMap::new([[1.0, 3.0, 0.0, 5.0], [0.0, 1.0, 0.0, 0.0], [0.0, 7.0, 1.0, 0.0f32]]).unwrap();
@@ -167,8 +167,8 @@ fn sheared_rays_may_stay_exact() {
     assert_eq!(direction, [0.25, 0.25, 1.25].map(Interval::exact));
 }
 
-/// Rays that are known exactly, through two maps that turn and scale by powers of two, to where numbers become subnormal:
-/// they stay exact only where they are. [INST-3]
+/// Exact rays pass through two maps that rotate and scale by powers of two, down to subnormal numbers. They must be
+/// reported as exact only if they are. [INST-3]
 #[test]
 fn turned_rays_are_held_at_thresholds() {
     let (mut draw, mut seen) = (Draw::new(1), [0; 2]);

@@ -13,31 +13,31 @@ fn the_stage_is_the_one_that_decides() {
         Exact::new(&ray, &Region::of(&region)).stage(triangle)
     };
     let stage = |at, tmax| stage_in(triangle.aabb(), &triangle, at, tmax);
-    // Beside it, inside, on an edge, and at a corner.
+    // Outside, inside, on an edge, and at a corner.
     assert_eq!(stage([4.0, 4.0], f32::INFINITY), Stage::Scene);
     assert_eq!(stage([1.0, 1.0], f32::INFINITY), Stage::Scene);
     assert_eq!(stage([1.0, 0.0], f32::INFINITY), Stage::Sums);
     assert_eq!(stage([3.0, 0.0], f32::INFINITY), Stage::Sums);
-    // Near an edge, on either side, where the scene's bounds are too coarse.
+    // Close to an edge, on either side, where the scene's bounds are too coarse.
     let wide = Aabb { lo: Vec3::splat(-1e6), hi: Vec3::splat(1e6) };
     assert_eq!(stage_in(wide, &triangle, [1.0, 0.001], f32::INFINITY), Stage::Triangle);
     assert_eq!(stage_in(wide, &triangle, [1.0, -0.001], f32::INFINITY), Stage::Triangle);
     assert_eq!(stage([1.0, 0.001], f32::INFINITY), Stage::Scene);
-    // The interval ends before the triangle, or right on it.
+    // The interval ends before the triangle, or exactly on it.
     assert_eq!(stage([1.0, 1.0], 0.5), Stage::Scene);
     assert_eq!(stage([1.0, 1.0], 1.0), Stage::Sums);
-    // It begins before it, right on it, or behind it.
+    // The interval begins before the triangle, exactly on it, or behind it.
     let from = |tmin: f32| {
         let ray = Ray::within(Vec3::ONE, Vec3::NEG_Z, tmin, f32::INFINITY).unwrap();
         Exact::new(&ray, &Region::of(&triangle.aabb())).stage(&triangle)
     };
     assert_eq!([0.5, 1.0, 2.0].map(from), [Stage::Scene, Stage::Sums, Stage::Scene]);
-    // The distance is in the middle between 1 and the next float.
+    // The distance is the midpoint between 1 and the next float.
     let below = Triangle(triangle.0.map(|v| v - Vec3::Z * (f32::EPSILON / 2.0)));
     assert_eq!(stage_in(below.aabb(), &below, [1.0, 1.0], f32::INFINITY), Stage::Sums);
 }
 
-/// The distance is in the middle between 1 and the next float: beyond the limit, no exact sum is spent on it.
+/// The distance is the midpoint between 1 and the next float. Beyond the limit, no exact sum is computed for it.
 #[test]
 fn what_is_beyond_the_limit_is_not_placed() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0].map(|v| v - Vec3::Z * (f32::EPSILON / 2.0)));
@@ -63,7 +63,8 @@ fn a_distance_that_may_be_an_end_is_open() {
     }
 }
 
-/// Each shape differs from the one before in one coordinate, by so little that the last stages tell hit from miss.
+/// Each shape differs from the previous one in one coordinate, by so little that only the last stages separate hit from
+/// miss.
 #[test]
 fn of_shapes_that_differ_each_is_asked() {
     let ray = Ray::new(Vec3::new(1.0, 0.0, 1.0), Vec3::NEG_Z).unwrap();
@@ -77,7 +78,7 @@ fn of_shapes_that_differ_each_is_asked() {
             shape.0[corner].y = y;
             assert_eq!(exact.stage(&shape), Stage::Sums);
             let answer = exact.distance(&shape, f32::INFINITY);
-            // It, the same again, and what coincides but for the signs of zeros.
+            // The shape, its copy, and its copy with the signs of zeros changed.
             let same = Triangle(shape.0.map(|v| Vec3::select(v.cmpeq(Vec3::ZERO), -v, v)));
             assert_eq!([shape, shape, same].map(|shape| once.distance(&shape, f32::INFINITY)), [answer; 3]);
             answers.push(answer.is_some());
@@ -86,13 +87,12 @@ fn of_shapes_that_differ_each_is_asked() {
     assert_eq!(answers, [true, false, true, true].repeat(2));
 }
 
-/// Triangles and rays of numbers at thresholds: all stages, also of rays that are known exactly, say what rational
-/// arithmetic does. [EXACT-8] [INST-5]
+/// Triangles and rays at thresholds. All stages agree with rational arithmetic, also for exact rays. [EXACT-8] [INST-5]
 fn thresholds_are_decided<V: Vector, K: Kernel<Vector = V, Shape = Triangle<V>>>(number: fn(&mut Draw) -> f64) {
     let (mut draw, mut hits) = (Draw::new(1), 0);
     for _ in 0..60_000 {
         let [a, b, c, o, d] = vectors(&mut draw, f64::MAX, number);
-        // Half of the lines are at a corner, at an edge or at the inside, as nearly as numbers have it.
+        // Half of the lines are aimed at a corner, an edge or the interior, as closely as floats permit.
         let targets = [a, a * 0.5 + b * 0.5, a * 0.5 + b * 0.25 + c * 0.25];
         let d = if draw.one_in(2) { targets[draw.below(3)] - o } else { d };
         let [a, b, c, o, d] = [a, b, c, o, d].map(|v| V::from_components(v.to_array().map(V::Real::rounded)));
@@ -135,8 +135,8 @@ fn thresholds_are_decided_in_double() {
     thresholds_are_decided::<DVec3, Exact64>(Draw::threshold);
 }
 
-/// Lines through edges and corners, and beside them, on grids of few digits or many, from near a corner or from farther
-/// away. [EXACT-11]
+/// Lines through edges and corners, and next to them, on grids of few digits or many, from near a corner or from
+/// farther away. [EXACT-11]
 #[test]
 fn what_is_met_on_a_grid_is_that_of_rationals() {
     let (mut rng, mut hits, mut misses) = (Rng::new(11), 0, 0);

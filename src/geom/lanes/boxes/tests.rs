@@ -14,7 +14,7 @@ fn planes<const A: usize>(boxes: &[Aabb; A]) -> Planes<A> {
     std::array::from_fn(|axis| [boxes.map(|aabb| aabb.lo[axis]), boxes.map(|aabb| aabb.hi[axis])])
 }
 
-/// The words of the clause, one lane after the other. `[LANES-1]` `[LANES-2]`
+/// Implements the clause, lane by lane. `[LANES-1]` `[LANES-2]`
 fn by_definition<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) -> ([u32; A], u32) {
     let mut set = 0;
     let ranks = std::array::from_fn(|lane| {
@@ -49,7 +49,7 @@ fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
     (ranks.as_array().map(f32::to_bits), set)
 }
 
-/// All levels agree with each other; what they say.
+/// Checks that all levels agree, and returns their answer.
 fn entered<const A: usize>(ray: &Ray, region: &Region, boxes: &[Aabb; A], end: f32) -> ([u32; A], u32) {
     let mut results = levels().into_iter().map(|level| {
         let mut out = ([0; A], 0);
@@ -80,7 +80,7 @@ fn region_of(boxes: &[Aabb]) -> Region {
     )
 }
 
-/// What must hold of every question.
+/// Checks the invariants of every test.
 fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
     let region = region_of(boxes);
     let (ranks, set) = entered(ray, &region, boxes, end);
@@ -106,15 +106,15 @@ fn check<const A: usize>(ray: &Ray, boxes: &[Aabb; A], end: f32) {
             assert!(is_met && cleared <= truth::round_f32(&t), "{ray:?} {aabb:?} {end}");
         }
     }
-    // Beyond another end is what is left out because of it, and nothing else.
+    // Exactly the boxes beyond the other end are skipped.
     let (_, without_end) = entered(ray, &region, boxes, f32::INFINITY);
-    // Of an end, -0 has become 0.
+    // The end -0 has become 0.
     let end_bits = (end + 0.0).to_bits();
     let beyond = (0..A).fold(0, |set, lane| set | u32::from(is_beyond::<A>(ranks[lane], end_bits)) << lane);
     assert_eq!(set, without_end & !beyond, "{ray:?} {end}");
 }
 
-/// Numbers that make zeros, infinities and NaNs of each other.
+/// Numbers that combine to zeros, infinities and NaNs.
 const EDGES: [f32; 12] = [0.0, -0.0, 1.0, -1.0, 2.0, 0.5, 1e-45, -1e-45, f32::MIN_POSITIVE, 1e38, -1e38, 3.0];
 
 fn edges(draw: &mut Draw) -> Vec3 {
@@ -159,7 +159,7 @@ fn no_box_that_is_touched_is_left_out() {
     }
 }
 
-/// A box that one step of the reciprocal would lose: the ranks are rounded down, but the far planes are not.
+/// A box that a single step of the reciprocal would lose: the ranks are rounded down, but the far planes are not.
 #[test]
 fn a_box_at_an_edge_is_met() {
     let ray = Ray::new(Vec3::ZERO, Vec3::new(1.0, 41.0, 0.0)).expect("a ray");
@@ -169,7 +169,7 @@ fn a_box_at_an_edge_is_met() {
     assert_eq!((ranks[3], set), (0x3f7f_fff8 + 3, 255));
 }
 
-/// A ray that leaves the plane of flat boxes, however slowly, is soon above them. [BOX-9]
+/// A ray that leaves the plane of flat boxes, even slowly, is soon above them. [BOX-9]
 #[test]
 fn a_slow_component_takes_a_ray_out_of_a_plane() {
     let boxes: [Aabb; 8] = std::array::from_fn(|i| {
@@ -183,7 +183,7 @@ fn a_slow_component_takes_a_ray_out_of_a_plane() {
     }
 }
 
-/// Rays that begin so far away that they are tested from where they enter; at corners, and beside them. [BOX-9]
+/// Rays from so far away that they are tested from their entry, at corners and next to them. [BOX-9]
 #[test]
 fn from_afar_no_box_that_is_touched_is_left_out() {
     let (mut draw, mut rare, mut touched) = (Draw::new(4), 0, 0);
@@ -192,7 +192,7 @@ fn from_afar_no_box_that_is_touched_is_left_out() {
         let boxes = [(); 8].map(|()| one());
         let (d, aabb) = (draw.ints(3), boxes[draw.below(8)]);
         let target = one_of([aabb.lo, aabb.hi, aabb.lo.with_x(aabb.hi.x), aabb.lo * 0.5 + aabb.hi * 0.5], &mut draw);
-        // The origin is exact, up to some 2^20.
+        // The origin is exact, up to about 2^20.
         let powers = if draw.one_in(4) { 110 } else { 10 };
         let far = 2f32.powi(10 + draw.below(powers) as i32);
         let o = draw.nudged(target - d * far, 1);

@@ -9,7 +9,7 @@ use crate::geom::tests::exact;
 use crate::geom::truth;
 use crate::geom::{Frame, Mesh};
 
-/// What a level tells of the lanes of a block.
+/// The answers of a level for the lanes of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Told {
     left: u32,
@@ -26,7 +26,7 @@ struct Told {
 fn told<S: Simd>(simd: S, ray: &TriangleRay<S, DVec3>, block: &Block<DVec3>, best: f64) -> Told {
     let found = ray.found(simd, block);
     let (certain, ends) = ray.certain(simd, block, &found);
-    // Of other lanes they mean nothing.
+    // In other lanes the bounds are meaningless.
     let bits = |lane: usize, end: f64| if certain >> lane & 1 == 1 { end.to_bits() } else { 0 };
     let ends = ends.map(|ends| [0, 1, 2, 3].map(|lane| bits(lane, ends[lane])));
     let left = ray.left(simd, block, best, &found);
@@ -40,7 +40,7 @@ fn region(frame: &Frame, triangles: &[Triangle<DVec3>]) -> Region {
     Region::within(*frame, &around.expect("a triangle"))
 }
 
-/// Scenes in places that single precision cannot hold, with rays at what is hard to hit.
+/// Returns scenes at places beyond the reach of single precision, with difficult rays.
 fn scenes(rays: usize) -> impl Iterator<Item = (Mesh<DVec3>, Vec<Ray<DVec3>>)> {
     stress::cases(rays).enumerate().filter_map(move |(i, case)| {
         let place = double::PLACES[i % double::PLACES.len()];
@@ -93,7 +93,7 @@ fn what_is_told_of_four_triangles_is_true() {
                         placed += [is_after, is_before, is_within].map(u32::from).iter().sum::<u32>();
                     }
                 }
-                // The ray is within bounds that hold it: nothing of it is rejected either.
+                // The ray is within bounds that enclose it, so its hits must not be rejected.
                 let wide = |x: f64, by: f64| Interval::between([x - by, x + by * 0.5]);
                 let by = ray.direction().abs().max_element() * power_of_two(-20 - (i % 30) as i32);
                 let off = region.size() * power_of_two(-20 - (i % 23) as i32);
@@ -132,7 +132,7 @@ fn ask<S: Simd>(
     (found, hits.any(simd, &filter, blocks, count).map(|hit| hit.prim))
 }
 
-/// Leaves of one to twelve triangles have the first hit of rational arithmetic, whatever is equal or nearly so. [LANES-7]
+/// Leaves of one to twelve triangles have the first hit of rational arithmetic, also for ties and near ties. [LANES-7]
 #[test]
 fn leaves_have_the_nearest_hit() {
     let mut found = 0;
@@ -144,7 +144,7 @@ fn leaves_have_the_nearest_hit() {
             let region = region(mesh.frame(), &triangles);
             let mut blocks = vec![Block::EMPTY; held.len().div_ceil(4)];
             for (k, (triangle, &at)) in triangles.iter().zip(&held).enumerate() {
-                // Some have the same corners and other numbers.
+                // Some have equal corners and different indices.
                 blocks[k / 4].set(k % 4, triangle, (at ^ (k * 64)) as u32);
             }
             let hits = triangles.iter().zip(&held).enumerate().filter_map(|(k, (Triangle(corners), &at))| {
@@ -164,8 +164,8 @@ fn leaves_have_the_nearest_hit() {
     assert!(found > 1_000, "{found}");
 }
 
-/// Lines that take much of a bound: the bits of origin, direction, corners, and the origin of the frame. A hill climb over bits
-/// found them.
+/// Lines with errors that are large relative to a bound: the bits of origin, direction, corners, and the origin of the
+/// frame. Hill climbing over bits found them.
 const WORST: [[[u64; 3]; 6]; 5] = [
     // An edge function of a hit has the wrong sign, by 0.32 of its bound. [LANES-3]
     [
@@ -185,7 +185,7 @@ const WORST: [[[u64; 3]; 6]; 5] = [
         [0xbff2_00f9_d45a_cc3b, 0x3ff1_ffb5_bdc1_cfea, 0xbfeb_fed4_db34_e8ff],
         [0xbff0_00f9_2f25_cf2d, 0x3ff0_cab6_7ab3_06b1, 0xbfef_fed6_43f6_56ca],
     ],
-    // The distance is off by 0.24 of its bound. [LANES-6]
+    // The distance has an error of 0.24 of its bound. [LANES-6]
     [
         [0xbff0_01d9_26ce_5689, 0xbff0_20f8_ce58_ef50, 0xbff0_2f79_7eb6_0cf9],
         [0xbff0_003c_5fe3_d848, 0xbfef_96ba_c336_c836, 0xbfef_b28f_0eb0_a92b],
@@ -194,7 +194,7 @@ const WORST: [[[u64; 3]; 6]; 5] = [
         [0x3ff0_003c_5fe3_d848, 0xbfef_fd05_27e8_1912, 0xbfef_f6be_91a2_0621],
         [0xbf86_593c_4098_4f75, 0xbfa1_8c00_4987_c706, 0xbf86_6f10_beab_f682],
     ],
-    // Of the distance, a quarter of the bound that the origin makes is too little. [LANES-6]
+    // A quarter of the distance bound's term for the origin is too small. [LANES-6]
     [
         [0xbfef_f852_c694_5f80, 0xbff0_004c_c060_9856, 0xbff0_004c_4302_90a1],
         [0x4002_b410_bd23_463f, 0xc002_9018_8c7a_5be8, 0xbfd0_4319_2588_b2bd],

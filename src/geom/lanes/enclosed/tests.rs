@@ -23,7 +23,7 @@ fn enter<S: Simd, V: Lanes<S, A>, const A: usize>(
     (ranks.as_array().map(f32::to_bits).to_vec(), set)
 }
 
-/// What all levels say.
+/// Returns the answer of all levels.
 fn entered(slabs: &EnclosedSlabs, boxes: &[Aabb], end: f32) -> (Vec<u32>, u32) {
     let mut results = levels().into_iter().map(|level| match boxes.len() {
         8 => dispatch!(level, simd => enter::<_, f32x8<_>, 8>(simd, slabs, boxes, end)),
@@ -34,8 +34,8 @@ fn entered(slabs: &EnclosedSlabs, boxes: &[Aabb], end: f32) -> (Vec<u32>, u32) {
     first
 }
 
-/// What must hold of every question: the set has what the test of one box keeps, and what that would keep if boxes were
-/// entered at their ranks, and nothing else.
+/// Checks that the set has the boxes that the single-box test keeps, and those that it would keep if boxes were entered
+/// at their ranks, and no other boxes.
 fn check(slabs: &EnclosedSlabs, boxes: &[Aabb], end: f32) {
     let (count, (ranks, set)) = (boxes.len() as u32, entered(slabs, boxes, end));
     for (lane, (aabb, rank)) in (0..).zip(boxes.iter().zip(ranks)) {
@@ -51,11 +51,11 @@ fn check(slabs: &EnclosedSlabs, boxes: &[Aabb], end: f32) {
     }
 }
 
-/// The last ones are not for single precision.
+/// The last ones are out of range in single precision.
 const NUMBERS: [f64; 14] =
     [1.0, -1.0, 2.0, -3.0, 0.1, -0.3, 0.0, -0.0, 1e-30, 1e-45, 1e-60, 1e38, -1e39, f64::INFINITY];
 
-/// Of the first so many numbers.
+/// Draws an interval from the first `numbers` numbers.
 fn interval(draw: &mut Draw, numbers: usize) -> Interval {
     let (a, b) = (NUMBERS[draw.below(numbers)], NUMBERS[draw.below(numbers)]);
     match draw.below(3) {
@@ -69,7 +69,7 @@ fn corner(draw: &mut Draw, numbers: usize) -> Vec3 {
     Vec3::from([(); 3].map(|()| (NUMBERS[draw.below(numbers)] as f32).clamp(f32::MIN, f32::MAX)))
 }
 
-/// Rays that run one way, along an axis, or perhaps either way; of any size. `[INST-4]`
+/// Rays in one direction, along an axis, or possibly in either direction, of any magnitude. `[INST-4]`
 #[test]
 fn boxes_are_kept_that_the_test_of_one_keeps() {
     let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
@@ -96,8 +96,8 @@ fn boxes_are_kept_that_the_test_of_one_keeps() {
     }
 }
 
-/// No ray within the bounds touches a box that is left out: rays at their corners, in rational arithmetic. And with
-/// another end, what is left out is what is beyond it. `[INST-4]` `[WIDE-4]`
+/// No ray within the bounds touches a skipped box: checked at the corners of the bounds, in rational arithmetic. With
+/// another end, exactly the boxes beyond it are skipped. `[INST-4]` `[WIDE-4]`
 #[test]
 fn no_box_is_left_out_that_a_ray_within_the_bounds_touches() {
     let (mut draw, mut touched, mut left) = (Draw::new(2), 0, 0);

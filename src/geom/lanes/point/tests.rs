@@ -15,7 +15,7 @@ fn planes(boxes: &[Aabb; 8]) -> [[[f32; 8]; 2]; 3] {
     [0, 1, 2].map(|axis| [boxes.map(|aabb| aabb.lo[axis]), boxes.map(|aabb| aabb.hi[axis])])
 }
 
-/// The distance in double precision, which is off by a few of its own units at most.
+/// Returns the distance in double precision, with an error of at most a few ulps.
 fn distance(point: Vec3, aabb: &Aabb) -> f64 {
     let (point, lo, hi) = (point.as_dvec3(), aabb.lo.as_dvec3(), aabb.hi.as_dvec3());
     (lo - point).max(point - hi).max(glam::DVec3::ZERO).length()
@@ -27,7 +27,7 @@ fn ranks_are_just_below_the_distances_of_boxes() {
     let mut rng = Rng::new(7);
     let mut nearly = 0;
     for round in 0..20_000 {
-        // Sizes from where squares underflow to where they overflow.
+        // Magnitudes from where squares underflow to where they overflow.
         let scale = f32::from_bits((1 + round % 254) << 23);
         let mut coordinate = || (rng.below(4001) as f32 / 2000.0 - 1.0) * scale;
         let mut corner = || Vec3::new(coordinate(), coordinate(), coordinate());
@@ -55,7 +55,7 @@ fn ranks_are_just_below_the_distances_of_boxes() {
             assert!(f64::from(below) <= exact, "{below:e} {exact:e}");
             assert_eq!(set >> lane & 1 == 1, below <= limit);
             assert_eq!(within(below) >> lane & 1, 1, "a limit as far as the rank, with the lane cleared");
-            // For tiny vectors, the greatest component.
+            // For tiny vectors, the greatest component is used.
             assert!(exact == 0.0 || exact < 1e-43 || f64::from(below) > exact * 0.5, "{below:e} {exact:e}");
             let is_usual = (2e-36..f32::MAX.into()).contains(&exact);
             assert!(!is_usual || f64::from(below) > exact * (1.0 - 2e-6), "{below:e} {exact:e}");

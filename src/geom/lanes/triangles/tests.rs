@@ -26,7 +26,7 @@ fn survive(level: Level, ray: &Ray, region: &Region, block: &Block, best: f32, c
     dispatch!(level, simd => survivors(simd, ray, region, block, best, constants))
 }
 
-/// What happened to triangles that were asked about.
+/// Counts of the outcomes for triangles.
 #[derive(Debug, Default)]
 struct Counts {
     rejected: u32,
@@ -34,7 +34,8 @@ struct Counts {
     wrong: u32,
 }
 
-/// All levels reject the same; none that is hit, in exact arithmetic, at `best` or before, for these constants.
+/// Checks that all levels reject equal sets, and that no rejected triangle is hit in exact arithmetic at `best` or
+/// before, for these constants.
 fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, constants: [f32; 3], counts: &mut Counts) {
     let block = block_of(triangles);
     let mut sets = levels().into_iter().map(|level| survive(level, ray, region, &block, best, constants));
@@ -61,7 +62,7 @@ fn check(ray: &Ray, region: &Region, triangles: &[Triangle; 4], best: f32, const
     }
 }
 
-/// On all levels, whether the zeros have signs or not.
+/// On all levels, with zeros of either sign.
 #[test]
 fn four_triangles_at_once_are_those_of_the_lanes() {
     let mut triangles = 0;
@@ -81,8 +82,8 @@ fn four_triangles_at_once_are_those_of_the_lanes() {
     assert!(triangles > 1000, "{triangles}");
 }
 
-/// Triangles of all stress cases, for ends at their hits and next to them; the scene is that of the four triangles
-/// alone or of the case.
+/// Checks the triangles of all stress cases, with ends at their hits and next to them. The scene is that of the four
+/// triangles alone or of the case.
 fn all_cases(constants: [f32; 3]) -> Counts {
     let mut counts = Counts::default();
     for case in stress::cases(24) {
@@ -102,7 +103,7 @@ fn all_cases(constants: [f32; 3]) -> Counts {
     counts
 }
 
-/// As wide as derived, and nothing counts less than its least. [LANES-3] [LANES-4]
+/// The bounds are as wide as derived, and no term is below its minimum. [LANES-3] [LANES-4]
 #[test]
 fn bounds_are_those_derived() {
     let power = |exponent: i32| 2f32.powi(exponent);
@@ -123,7 +124,7 @@ fn bounds_are_those_derived() {
     assert_eq!([block.edges, block_of(&[tiny; 4]).edges], [[power(-40); 4]; 2]);
 }
 
-/// Single precision is asked, and rejects what is far beside a ray, where nothing over- or underflows; and nowhere else.
+/// Single precision is used, and rejects triangles far from a ray, exactly where it can neither overflow nor underflow.
 /// [LANES-3] [LANES-5]
 #[test]
 fn single_precision_is_asked_within_its_range() {
@@ -141,7 +142,7 @@ fn single_precision_is_asked_within_its_range() {
     for unusual in [[9.0, 1.0, few], [9.0, 1.0, many], [beyond, 1.0, 1.0], [most, beyond, 1.0]] {
         assert!(!rejects(unusual), "{unusual:?}");
     }
-    // A direction within bounds that are a 2^-10th of it.
+    // A direction within bounds of 2^-10 of it.
     for (off, expected) in [(f64::powi(2.0, -10) * 0.999, 0), (f64::powi(2.0, -10) * 1.001, 15)] {
         let [origin, mut direction] = [[-9.0, 9.0, -1.0], [0.0, 0.0, 1.0]].map(|v| v.map(Interval::exact));
         direction[1] = Interval::between([-off, off]);
@@ -158,7 +159,8 @@ fn no_hit_is_rejected() {
     assert!(counts.wrong == 0 && counts.rejected > counts.left / 3, "{counts:?}");
 }
 
-/// No such case is known for the determinant's bound alone: a scene that holds the triangle makes the other one large.
+/// No such case is known for the determinant's bound alone: a scene that contains the triangle makes the other bound
+/// large.
 #[test]
 fn without_a_bound_hits_are_rejected() {
     let [edge, det, t] = CONSTANTS;
@@ -169,7 +171,8 @@ fn without_a_bound_hits_are_rejected() {
     }
 }
 
-/// Bounds that hold a ray: of a number from 2^-44 to 2^-10 of the greatest component, on either side of it or on one.
+/// Draws bounds that enclose a ray: of widths from 2^-44 to 2^-10 of the greatest component, extending in one direction
+/// or two.
 fn bounds_of(ray: &Ray, draw: &mut Draw) -> EnclosedRay {
     let exponents = [44, 30, 26, 22, 18, 14, 11];
     let mut around = |v: Vec3| {
@@ -187,8 +190,8 @@ fn survivors_of<S: Simd>(simd: S, ray: &EnclosedRay, scene: &Region, block: &Blo
     TriangleRay::enclosed_with(simd, ray, scene, off).survivors(simd, block, best)
 }
 
-/// As [`all_cases`], for bounds that hold the ray, and these constants of `[LANES-5]`. A triangle that is rejected must
-/// not be one that the ray hits.
+/// Like [`all_cases`], for bounds that enclose the ray, and these constants of `[LANES-5]`. The ray must not hit a
+/// rejected triangle.
 fn all_cases_within(off: [f32; 3]) -> Counts {
     let (mut counts, mut draw) = (Counts::default(), Draw::new(5));
     for case in stress::cases(24) {
@@ -216,8 +219,8 @@ fn all_cases_within(off: [f32; 3]) -> Counts {
     counts
 }
 
-/// No number within the bounds is farther than that from the floats: the ends are not, by rational arithmetic. Bounds of
-/// one number are off by what is rounded alone. [LANES-5]
+/// Numbers within the bounds differ from the floats by at most the reported offset. Rational arithmetic checks the
+/// ends. For bounds of zero width the offset is only the rounding error. [LANES-5]
 #[test]
 fn a_ray_within_bounds_is_off_by_its_radius_and_by_what_is_rounded() {
     let (mut draw, mut alone) = (Draw::new(9), 0);
@@ -236,7 +239,7 @@ fn a_ray_within_bounds_is_off_by_its_radius_and_by_what_is_rounded() {
                 farthest = farthest.max(if apart < exact(0.0) { -apart } else { apart });
             }
         }
-        // The sum of radius and rounding is rounded itself.
+        // The sum of radius and rounding is itself rounded.
         let off = f64::from(off);
         assert!(farthest <= exact(off) * exact(1.0 + f64::EPSILON), "{bounds:?}: {floats} {off}");
         let is_alone = bounds.iter().all(Interval::is_exact);
@@ -267,7 +270,7 @@ fn without_what_the_ray_is_off_by_hits_are_rejected() {
     }
 }
 
-/// A ray (direction, origin) and a triangle of which [`climb`] found that errors take 0.44 of the bound of `[LANES-4]`.
+/// A ray (direction, origin) and a triangle, found by [`climb`], whose errors reach 0.44 of the bound of `[LANES-4]`.
 const HARD: [[u32; 3]; 5] = [
     [0xbf90_3d6e, 0x3f97_be5a, 0x3f92_8989],
     [0x3f7c_782c, 0x3f7f_00bb, 0xbf80_2000],
@@ -276,7 +279,7 @@ const HARD: [[u32; 3]; 5] = [
     [0x3f7e_b206, 0x3f80_7a3a, 0xbf7f_849e],
 ];
 
-/// Half of it is spent on bounds for the scene in place of the triangle, so a fifth of the constants is too little.
+/// Half of the bound comes from using the scene instead of the triangle, so a fifth of the constants is too small.
 #[test]
 fn errors_come_near_the_bound() {
     let [d, o, corners @ ..] = HARD.map(|v| Vec3::from_array(v.map(f32::from_bits)));
@@ -290,7 +293,7 @@ fn errors_come_near_the_bound() {
     assert_eq!((as_is.wrong, less.wrong), (0, 4));
 }
 
-/// The part of the bound of `[LANES-4]` that the errors of a hit take, whose best distance is its own.
+/// Returns the error of a hit as a fraction of the bound of `[LANES-4]`, if the best distance is its own.
 fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
     let region = Region::of(&triangle.aabb());
     let best = Exact::new(ray, &region).distance(triangle, f32::INFINITY)?;
@@ -306,7 +309,7 @@ fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
     Some(excess / (unit * bound))
 }
 
-/// A hill climb for [`HARD`].
+/// Finds [`HARD`] by hill climbing.
 #[test]
 #[ignore = "a search, not a test; run by `cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture`"]
 fn climb() {
@@ -315,7 +318,7 @@ fn climb() {
         let mut draw = Draw::new(seed);
         let mut corner = || Vec3::from([(); 3].map(|()| draw.sign()));
         let (e1, e2, d) = (corner(), corner(), corner());
-        // The origin is near a corner, an edge or the middle.
+        // The origin is close to a corner, an edge or the middle.
         let w = [[0.0, 1.0], [1.0, 0.0], [0.5, 0.5], [0.25, 0.5]][draw.below(4)];
         let mut at = [d, e1 * w[0] + e2 * w[1] - d * 2f32.powi(-(draw.below(12) as i32)), Vec3::ZERO, e1, e2];
         let ray_of = |at: &[Vec3; 5]| Ray::new(at[1], at[0]).ok();

@@ -6,12 +6,12 @@ use crate::geom::nearest::tests::{square, vector};
 use crate::geom::truth::{RBig, round_root};
 use crate::geom::{Aabb, Measure, Real, Triangle};
 
-/// From 2^-6 to 2^90 lengths away, where a mesh may be, in any unit.
+/// Draws a vector to a place 2^-6 to 2^90 lengths away, where a mesh may be, in any unit.
 fn way(random: &mut Rng, round: i32) -> (DVec3, f64) {
     (vector(random) * 2f64.powi(round % 97 - 6), 2f64.powi(round * 37 % 1601 - 800))
 }
 
-/// The distance of a box, rounded.
+/// Returns the rounded distance of a box.
 fn true_distance(point: DVec3, frame: &Frame, aabb: &Aabb) -> f64 {
     let number = |x: f64| RBig::try_from(x).expect("finite");
     let unit = number(power_of_two(frame.exponent()));
@@ -23,7 +23,7 @@ fn true_distance(point: DVec3, frame: &Frame, aabb: &Aabb) -> f64 {
     round_root(&square.into_iter().fold(RBig::ZERO, |sum, part| sum + part))
 }
 
-/// [NEAR-8]
+/// Bounds of boxes equal their distances. [NEAR-8]
 #[test]
 fn boxes_are_as_far_as_they_are() {
     let (mut random, mut right, mut rough, mut rounds) = (Rng::new(31), 0, 0, 0);
@@ -64,7 +64,7 @@ fn triangles_are_not_nearer_than_the_plane_across_the_guess() {
     assert!(told > 15_000 && right * 10 > told * 9, "{right} {told}");
 }
 
-/// At the ends of the range, with boxes that have no end, and in single precision, which needs no more digits.
+/// At the limits of the range, for unbounded boxes, and in single precision, which needs no additional digits.
 #[test]
 fn what_cannot_be_told_is_left_to_fewer_digits() {
     let aabb = |lo: f32, hi: f32| Aabb { lo: Vec3::splat(lo), hi: Vec3::splat(hi) };

@@ -5,7 +5,7 @@ use crate::generate::{Rng, Source as _};
 use crate::geom::nearest::point::tests::flat;
 use crate::geom::nearest::tests::{bits, case};
 
-/// Every way that finds a foot against rational arithmetic; returns how many of both kinds of bounds found it.
+/// Compares every method of finding a foot with rational arithmetic. Returns which of the two kinds of bounds found it.
 fn compare<V: Vector>(triangle: &Triangle<V>, point: V) -> [bool; 2] {
     let weights = truth::nearest_weights(triangle.0.map(V::components), point.components()).expect("finite");
     assert_eq!(weights.iter().fold(RBig::ZERO, |all, weight| all + weight), RBig::ONE, "{triangle:?} {point:?}");
@@ -49,7 +49,7 @@ fn feet_are_the_truth_rounded() {
     assert!(double[0] > 500 && double[1] > 8000, "{double:?}");
 }
 
-/// Points whose foot is on a border of two parts, in whole numbers: on the line of an edge, and above a corner. [NEAR-9]
+/// Points whose foot is on the border of two regions, in integers: on the line of an edge, and above a corner. [NEAR-9]
 #[test]
 fn borders_of_parts_belong_to_the_smaller_one() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X * 4.0, Vec3::Y * 4.0]);
@@ -78,7 +78,7 @@ fn check_normals<V: Vector>() -> usize {
     settled
 }
 
-/// By twice the digits and by rational arithmetic; and that against double precision, where corners are whole numbers.
+/// Compares double-double and rational arithmetic with each other, and with double precision for integer corners.
 #[test]
 fn normals_are_the_truth_rounded() {
     let settled = [check_normals::<Vec3>(), check_normals::<DVec3>()];

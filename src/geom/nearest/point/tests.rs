@@ -7,7 +7,8 @@ use crate::geom::nearest::Measure;
 use crate::geom::nearest::tests::{bits, enclosed, narrow, square, true_point};
 use crate::geom::{Real, Triangle, Vector as Point, truth};
 
-/// Corners on a line in any order, of which two or all may be equal: of any size, and of double precision far away, too.
+/// Draws collinear corners in any order, two or all of which may be equal, of any magnitude, in double precision also
+/// far away.
 pub(in crate::geom::nearest) fn flat<V: Point>(random: &mut Rng, round: i32) -> (Triangle<V>, V) {
     let is_double = size_of::<V>() == size_of::<DVec3>();
     let mut whole = |size: u64| random.below(2 * size + 1) as f64 - size as f64;
@@ -25,7 +26,7 @@ pub(in crate::geom::nearest) fn flat<V: Point>(random: &mut Rng, round: i32) -> 
     (Triangle(turned), narrow(point * scale))
 }
 
-/// Returns how many distances and how many points were settled without rational arithmetic.
+/// Returns the numbers of distances and of points that were settled without rational arithmetic.
 fn check_flat<V: Point>() -> [usize; 2] {
     let (mut random, mut settled) = (Rng::new(21), [0; 2]);
     for round in 0..10_000 {
@@ -50,6 +51,6 @@ fn check_flat<V: Point>() -> [usize; 2] {
 #[test]
 fn triangles_without_area_are_segments_and_points() {
     let settled = [check_flat::<Vec3>(), check_flat::<DVec3>()];
-    // No bounds tell that a distance is 0.
+    // No bounds prove that a distance is 0.
     assert!(settled.as_flattened().iter().all(|&settled| settled > 7500), "{settled:?}");
 }

@@ -10,7 +10,7 @@ fn holds(x: Rough, number: &RBig) -> bool {
     !x.radius.is_finite() || off <= exact(x.radius)
 }
 
-/// In the range; a third is exact. And a number that it holds, at one of its ends.
+/// Draws a number in the range, and an exact value that it encloses, at one of its ends. A third are exact.
 fn number(random: &mut Rng, powers: i32) -> (Rough, RBig) {
     let magnitude = 1.0 + (random.bits() >> 12) as f64 * 2f64.powi(-52);
     let scaled = magnitude * 2f64.powi(random.below(2 * powers as u64) as i32 - powers);
@@ -28,10 +28,10 @@ fn results_hold_the_exact_ones() {
         let powers = if round % 2 == 0 { 4 } else { 150 };
         let [(a, x), (b, y), (c, z)] = [(); 3].map(|()| number(&mut random, powers));
         assert!(holds(a + b, &(&x + &y)) && holds(a - b, &(&x - &y)) && holds(a * b, &(&x * &y)), "{a:?} {b:?}");
-        // Of degree four, as areas are.
+        // Of degree four, like areas.
         let (product, truth) = ((a * b - c * a) * (b * c - a * a), (&x * &y - &z * &x) * (&y * &z - &x * &x));
         assert!(holds(product, &truth), "{a:?} {b:?} {c:?}");
-        // Where nearly all digits cancel.
+        // Nearly all digits cancel.
         let (d, w) = (Rough { middle: a.middle.next_up(), ..a }, &x + exact(a.middle.next_up()) - exact(a.middle));
         assert!(holds((a - d) * b * (c - a), &((&x - &w) * &y * (&z - &x))), "{a:?} {b:?} {c:?}");
         let whole = a * a + b * b;

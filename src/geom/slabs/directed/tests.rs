@@ -1,7 +1,7 @@
 use super::*;
 use crate::geom::Aabb;
 
-/// Double precision is asked only where it is needed.
+/// Double precision is used only if necessary.
 #[test]
 fn single_precision_takes_what_it_can() {
     let is_wide = |[o, d]: [Vec3; 2], reach: f32| {
@@ -21,7 +21,7 @@ fn single_precision_takes_what_it_can() {
     }
     let beyond = most.next_up();
     assert_eq!([is_wide([Vec3::Y * beyond, Vec3::ONE], most), is_wide(across(0.5), beyond)], [true; 2]);
-    // Components whose reciprocals do not overflow.
+    // Components with finite reciprocals.
     for d in [0.0, -0.0, f32::MIN_POSITIVE, -f32::MIN_POSITIVE, f32::MAX] {
         assert!(!is_wide(across(d), 1.0), "{d}");
     }
@@ -31,12 +31,12 @@ fn single_precision_takes_what_it_can() {
     // Distances that do not overflow.
     let short = |d: f32| is_wide([Vec3::Y * 1e30, Vec3::X * d], 1e30);
     assert_eq!([short(1e-4), short(1e-5)], [false, true]);
-    // Not from afar.
+    // No distant origins.
     let away = |x: f32| [is_wide([Vec3::Y * x, Vec3::ONE], 1.0), is_wide([Vec3::Y * -x, Vec3::ONE], 1.0)];
     assert_eq!([away(8191.0), away(8194.0)], [[false; 2], [true; 2]]);
 }
 
-/// From afar, single precision cannot tell what is met. [BOX-9]
+/// From far away, single precision cannot decide what is hit. [BOX-9]
 #[test]
 fn rays_from_afar_meet_what_is_in_their_way_and_nothing_else() {
     let all = Aabb { lo: Vec3::splat(-1.0), hi: Vec3::ONE };
@@ -57,7 +57,7 @@ fn rays_from_afar_meet_what_is_in_their_way_and_nothing_else() {
     }
 }
 
-/// A ray that leaves the plane of flat boxes, however slowly, is soon above them. [BOX-9]
+/// A ray that leaves the plane of flat boxes, even slowly, is soon above them. [BOX-9]
 #[test]
 fn a_slow_component_takes_a_ray_out_of_a_plane() {
     for at in 0..4u8 {

@@ -6,7 +6,7 @@ use crate::geom::truth::{self, RBig};
 
 const LEAST: f32 = f32::from_bits(1);
 
-/// Often the same, and of all sizes.
+/// Draws numbers that are often equal, and of all magnitudes.
 fn number() -> impl Strategy<Value = f32> {
     let few = [0.0, -0.0, 1.0, -1.0, 3.0, 0.1, LEAST, -LEAST, -3.0 * LEAST, 1e-20, -1e-38, 1e30, -1e38, f32::MAX];
     prop_oneof![3 => prop::sample::select(few.to_vec()), 2 => -4.0..4.0f32]
@@ -20,7 +20,7 @@ fn aabb() -> impl Strategy<Value = Aabb> {
     (point(), point()).prop_map(|(a, b)| Aabb::of(&[a, b]))
 }
 
-/// From anywhere, or from afar toward a point.
+/// Draws a ray from any point, or from far away toward a point.
 fn ray() -> impl Strategy<Value = Ray> {
     let power = |exponents: std::ops::Range<i32>| exponents.prop_map(|exponent| 2f32.powi(exponent));
     let far = prop_oneof![Just(0.0), power(0..40), power(40..120)];
@@ -30,7 +30,7 @@ fn ray() -> impl Strategy<Value = Ray> {
     })
 }
 
-/// Where the line leaves a box that it meets.
+/// Returns the distance where the line leaves a box that it hits.
 fn exit([o, d, lo, hi]: [[f32; 3]; 4]) -> Option<RBig> {
     let exact = |x: f32| RBig::try_from(x).expect("finite");
     let axes = (0..3).filter(|&k| d[k] != 0.0);
@@ -40,8 +40,8 @@ fn exit([o, d, lo, hi]: [[f32; 3]; 4]) -> Option<RBig> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-    /// Whatever single precision takes of it: no box is entered later than it is, or left sooner, as distances of hits are
-    /// rounded. [BOX-9]
+    /// For all cases that single precision accepts: no box is entered too late or left too early, with distances
+    /// rounded like those of hits. [BOX-9]
     #[test]
     fn from_the_entrance_boxes_are_met_where_they_are(ray in ray(), a in aabb(), b in aabb(), more in aabb()) {
         let entered = entered(&ray, &Region::of(&a.union(b).union(more)));

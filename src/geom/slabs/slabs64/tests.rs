@@ -8,7 +8,7 @@ use crate::geom::tests::threshold;
 use crate::geom::truth::{self, entry as true_entry};
 use crate::geom::{Aabb, Frame};
 
-/// Multiples of 2^-12 up to 8 in a frame whose origin is one up to 2^36: so planes are doubles in space too.
+/// Draws multiples of 2^-12 up to 8. The frame's origin is a multiple up to 2^36, so planes are also doubles in space.
 fn plane() -> impl Strategy<Value = f64> {
     let few = prop::sample::select(vec![0.0, 1.0, -1.0, 2.0, 1.0 / 4096.0, 8.0, -8.0]);
     prop_oneof![few, (-32768..=32768i32).prop_map(|x| f64::from(x) / 4096.0)]
@@ -26,7 +26,7 @@ fn frame() -> impl Strategy<Value = Frame> {
     })
 }
 
-/// A direction with components of any size, or toward a point.
+/// Draws a component of a direction: of any magnitude, or toward a point.
 fn component() -> impl Strategy<Value = f64> {
     let few = vec![0.0, -0.0, 1.0, -1.0, 1e-130, -1e-130, 5e-324, -5e-324, 1e-40, -1e-45, 1e300, -1e20, 3.0];
     prop_oneof![prop::sample::select(few), -2.0..2.0f64, threshold()]
@@ -55,7 +55,7 @@ fn case() -> impl Strategy<Value = Case> {
         |(frame, [a, b, c, d], origin, direction, (aim, target, length), (tmin, tmax))| {
             let boxes = [[a, b], [c, d]].map(|corners| Aabb::of(&corners.map(DVec3::as_vec3)));
             let space = |p: DVec3| p * power_of_two(frame.exponent()) + frame.origin();
-            // At nothing, at a point, or at a corner of the first box.
+            // In any direction, at a point, or at a corner of the first box.
             let (o, target) = (space(origin), if aim == 1 { target } else { a });
             let d = if aim == 0 { direction } else { space(target) - o } * power_of_two(length);
             let t = if aim == 0 { 1.0 } else { power_of_two(-length) };
@@ -69,13 +69,13 @@ fn planes([a, b]: [Aabb; 2]) -> [[f32; 4]; 3] {
     [0, 1, 2].map(|axis| [a.lo[axis], a.hi[axis], b.lo[axis], b.hi[axis]])
 }
 
-/// In the lanes of a node, of which six are empty.
+/// Places two boxes in the lanes of a node. Six lanes are empty.
 fn eight([a, b]: [Aabb; 2]) -> [[[f32; 8]; 2]; 3] {
     let boxes: [Aabb; 8] = std::array::from_fn(|lane| *[a, b].get(lane).unwrap_or(&Aabb::EMPTY));
     [0, 1, 2].map(|axis| [boxes.map(|aabb| aabb.lo[axis]), boxes.map(|aabb| aabb.hi[axis])])
 }
 
-/// The exact distances at which a box is entered and left, rounded to doubles.
+/// Returns the exact distance where a box is entered, rounded to double.
 fn truly(Case { frame, ray, .. }: &Case, aabb: &Aabb, ends: [f64; 2]) -> Option<f64> {
     let space = |v: Vec3| (v.as_dvec3() * power_of_two(frame.exponent()) + frame.origin()).to_array();
     let [o, d] = [ray.origin(), ray.direction()].map(|v| v.to_array());
@@ -106,7 +106,7 @@ proptest! {
         let planes = eight(*boxes);
         for (side, aabb) in boxes.iter().enumerate() {
             let Some(t) = truly(&case, aabb, [ray.tmin(), ray.tmax()]) else { continue };
-            // Up to the end of the ray, and up to a hit where the box is entered.
+            // Up to the end of the ray, and up to a hit at the entry of the box.
             for end in [ray.tmax(), t] {
                 let (_, set) = slabs.enter(&planes, slabs.end(end));
                 prop_assert!(set >> side & 1 == 1, "{side} {t} {end} {set:b}");
@@ -114,7 +114,7 @@ proptest! {
         }
     }
 
-    /// Not only nothing is skipped: boxes that are missed by far are, however far away the ray begins. [BOX-8] [BOX-9]
+    /// The test is not too coarse: boxes that are clearly missed are skipped, from any distance. [BOX-8] [BOX-9]
     #[test]
     fn it_is_as_fine_as_single_precision(case in case()) {
         let Case { frame, boxes: [a, b], ray } = &case;
@@ -122,7 +122,7 @@ proptest! {
             return Ok(());
         }
         let (region, wider) = (Region::within(*frame, &a.union(*b)), Aabb { lo: a.lo - 1e-4, hi: a.hi + 1e-4 });
-        // A component that is next to nothing bounds less than it could.
+        // An almost vanishing component gives weaker bounds.
         let d = ray.direction().abs();
         let is_plain = d.to_array().iter().all(|&x| x == 0.0 || x > 1e-30 * d.max_element());
         if is_plain && truly(&case, &wider, [0.0, f64::INFINITY]).is_none() {
@@ -133,7 +133,7 @@ proptest! {
     }
 }
 
-/// What must hold of two boxes, and of one around both.
+/// Checks two boxes, and one around both boxes.
 fn holds(case: &Case, pair: impl Fn(&[[f32; 4]; 3], f64) -> Intervals<f64>) -> Result<(), TestCaseError> {
     let Case { boxes: [a, b], ray, .. } = case;
     let [tmin, tmax] = [ray.tmin(), ray.tmax()];
@@ -145,7 +145,7 @@ fn holds(case: &Case, pair: impl Fn(&[[f32; 4]; 3], f64) -> Intervals<f64>) -> R
     for (side, aabb) in [a, b].into_iter().enumerate() {
         let Some(t) = truly(case, aabb, [tmin, tmax]) else { continue };
         prop_assert!(found.hit[side] && found.near[side] <= t && t <= found.far[side], "{t} {found:?}");
-        // A hit there, as it is rounded, does not hide the box.
+        // A hit there, after rounding, does not hide the box.
         prop_assert!(one(aabb, t).is_some(), "{t}");
     }
     let [inner, both] = [one(a, tmax), one(&a.union(*b), tmax)];
@@ -156,7 +156,7 @@ fn holds(case: &Case, pair: impl Fn(&[[f32; 4]; 3], f64) -> Intervals<f64>) -> R
     Ok(())
 }
 
-/// What is slow, and what it says. [BOX-8] [BOX-9]
+/// Cases beyond the fast range, with their results. [BOX-8] [BOX-9]
 #[test]
 fn beyond_its_range_it_is_slow_and_still_skips() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
@@ -177,7 +177,7 @@ fn beyond_its_range_it_is_slow_and_still_skips() {
     assert_eq!(hits(DVec3::splat(1e300), DVec3::X), (false, false));
 }
 
-/// A ray that comes toward the boxes on an axis, but all but parallel to them, has left them long before. [BOX-8]
+/// A ray that approaches the boxes on one axis, but almost parallel to them, has passed them long before. [BOX-8]
 #[test]
 fn what_is_passed_by_is_skipped() {
     let aabb = Aabb { lo: Vec3::ZERO, hi: Vec3::ONE };
@@ -196,7 +196,7 @@ fn what_is_passed_by_is_skipped() {
     }
 }
 
-/// What a ray does not reach is skipped, however far away it begins.
+/// Boxes beyond the end of the ray are skipped, from any distance.
 #[test]
 fn what_is_beyond_the_end_is_skipped_from_afar() {
     let cube = |x: f32| Aabb { lo: Vec3::new(x, 0.0, 0.0), hi: Vec3::new(x + 1.0, 1.0, 1.0) };
@@ -209,14 +209,14 @@ fn what_is_beyond_the_end_is_skipped_from_afar() {
     }
 }
 
-/// A component next to nothing may still take a ray into the next box. [BOX-9]
+/// An almost vanishing component may still take a ray into the next box. [BOX-9]
 #[test]
 fn next_to_nothing_is_not_nothing() {
     const TINY: f64 = 1e-310;
     let below = Aabb { lo: Vec3::new(0.0, -1.0, 0.0), hi: Vec3::new(1.0, 0.0, 1.0) };
     let above = Aabb { lo: Vec3::new(1.0, 0.0, 0.0), hi: Vec3::new(2.0, 1.0, 1.0) };
     for (o, d) in [(-0.5 * TINY, TINY), (0.5 * TINY, -TINY)] {
-        // From the one half of the region to the other.
+        // From one half of the region to the other.
         let boxes = if d > 0.0 { [below, above] } else { [below, above].map(|aabb| mirrored(&aabb)) };
         let ray = Ray::new(DVec3::new(0.0, o, 0.5), DVec3::new(1.0, d, 0.0)).expect("a ray");
         let slabs = Entered::exactly(&ray, &Region::of(&boxes[0].union(boxes[1])));
@@ -224,7 +224,7 @@ fn next_to_nothing_is_not_nothing() {
     }
 }
 
-/// The box on the other side of y = 0.
+/// Mirrors a box at y = 0.
 fn mirrored(aabb: &Aabb) -> Aabb {
     Aabb { lo: aabb.lo.with_y(-aabb.hi.y), hi: aabb.hi.with_y(-aabb.lo.y) }
 }

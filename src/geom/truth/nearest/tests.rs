@@ -2,7 +2,7 @@ use super::super::tests::{plain, rational, whole, wild, wild64};
 use super::*;
 use crate::generate::Rng;
 
-/// Declares a test of roots: where the middle between two floats begins, squared, exactly and all but.
+/// Declares a test of roots: squares of the midpoint between two floats, exact and almost exact.
 macro_rules! roots {
     ($name:ident, $float:ty, $wild:ident, $next_power:expr) => {
         #[test]
@@ -32,7 +32,7 @@ macro_rules! roots {
 roots!(roots_are_rounded_to_the_nearest_single, f32, wild, 128);
 roots!(roots_are_rounded_to_the_nearest_double, f64, wild64, 1024);
 
-/// Integers and fractions of them, which are scaled; and the corners in any order.
+/// Checks integers and scaled fractions of them, with the corners in any order.
 #[test]
 fn squares_of_distances_grow_with_the_square_of_the_size() {
     let mut random = Rng::new(9);
@@ -51,7 +51,8 @@ fn squares_of_distances_grow_with_the_square_of_the_size() {
     }
 }
 
-/// In the triangle, at the distance: so it is the nearest one. Grids make triangles without area, too. [NEAR-3]
+/// The point is in the triangle and at the distance, so it is the nearest one. Grids also give triangles without area.
+/// [NEAR-3]
 #[test]
 fn nearest_points_are_points_of_the_triangle_at_the_least_distance() {
     let mut random = Rng::new(10);
@@ -62,10 +63,10 @@ fn nearest_points_are_points_of_the_triangle_at_the_least_distance() {
         let square = |v: plain::Vector| plain::dot(v.clone(), v);
         let to = |corner| plain::minus(plain::vector(corner), x.clone());
         assert_eq!(square(to(p)), square_distance([a, b, c], p).expect("finite"));
-        // Nothing of the triangle is on the far side of the plane through it, across the way to the point.
+        // The triangle is on one side of the plane through the point, across the direction to the query point.
         let is_beyond = |corner| plain::dot(to(p), to(corner)) > RBig::ZERO;
         assert!(![a, b, c].into_iter().any(is_beyond), "{a:?} {b:?} {c:?} {p:?}");
-        // In the plane, and on the inner side of each edge; without area, on one of the edges.
+        // In the plane, and on the inner side of each edge. Without area, on one of the edges.
         let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(s, t)| plain::minus(plain::vector(t), plain::vector(s)));
         let normal = plain::cross(ab.clone(), ac);
         if square(normal.clone()) > RBig::ZERO {

@@ -3,7 +3,7 @@ use crate::generate::Rng;
 use crate::geom::{Mesh, fan};
 use crate::trace::Boundary;
 
-/// A wavy ring of `n` edges about a point.
+/// Returns a wavy ring of `n` edges around a point.
 fn ring(n: u32, center: DVec3, size: f64) -> Vec<DVec3> {
     let at = |i| {
         let angle = f64::from(i) / f64::from(n) * 2.0 * PI;
@@ -12,7 +12,7 @@ fn ring(n: u32, center: DVec3, size: f64) -> Vec<DVec3> {
     (0..n).map(at).collect()
 }
 
-/// Rings as the borders of cones.
+/// Returns cones with the rings as their borders.
 fn cones(rings: &[Vec<DVec3>]) -> Mesh<DVec3> {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for ring in rings {
@@ -24,7 +24,7 @@ fn cones(rings: &[Vec<DVec3>]) -> Mesh<DVec3> {
     Mesh::new(vertices, faces).expect("a mesh")
 }
 
-/// How many edges are shown, and the greatest difference from the sum over all edges.
+/// Returns the number of visited edges, and the greatest difference from the sum over all edges.
 fn compare(mesh: &Mesh<DVec3>, tolerance: f64, seed: u64) -> [f64; 2] {
     let boundary = Boundary::of(mesh);
     let tree = boundary.tree(mesh.vertices());
@@ -57,7 +57,7 @@ fn what_is_left_out_is_within_the_tolerance() {
         let mut last = f64::INFINITY;
         for tolerance in [0.0, 1e-9, 1e-6, 1e-3] {
             let [shown, worst] = compare(&mesh, tolerance, 9);
-            // A sum has roundings of its own.
+            // The sum itself rounds.
             assert!(worst <= tolerance + 1e-12, "{tolerance}: {worst:e}");
             assert!(shown <= last, "{tolerance}: {shown}");
             last = shown;
@@ -67,7 +67,7 @@ fn what_is_left_out_is_within_the_tolerance() {
     }
 }
 
-/// Two triangles that share a vertex, and an edge that two faces have.
+/// Two triangles that share a vertex, and an edge of two faces.
 #[test]
 fn loops_have_each_edge_as_often_as_it_counts() {
     let border = |from, to, faces| Border { ends: [from, to], faces };
@@ -97,7 +97,7 @@ fn loops_have_each_edge_as_often_as_it_counts() {
     assert_eq!(found, expected);
 }
 
-/// Sizes whose powers would over- or underflow are left to the exact sum, and what is on the ray too.
+/// Sizes whose powers would overflow or underflow, and edges on the ray, are left to the exact sum.
 #[test]
 fn what_is_not_usual_is_shown() {
     for (scale, is_taken) in [(1e-70, false), (1e-50, true), (1.0, true), (1e50, true), (1e70, false), (1e160, false)] {

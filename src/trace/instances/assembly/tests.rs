@@ -5,14 +5,14 @@ use crate::bvh::{Builder, SpatialOptions};
 use crate::generate::draw::{Draw, one_of};
 use crate::geom::Mesh;
 
-/// Every builder, one of which cuts triangles.
+/// Returns options for every builder, one of which splits triangles.
 fn all_options() -> impl Iterator<Item = BuildOptions> {
     let spatial = SpatialOptions { extra_percent: 1000, overlap: 0.0 };
     Builder::ALL.into_iter().map(move |builder| BuildOptions { builder, spatial, ..BuildOptions::fine() })
 }
 
-/// Meshes that are placed so that the image ends next to the greatest number: whether it fits is the same for all builders,
-/// of the mesh, of a group, and of a group of that; and for wide meshes. [INST-2]
+/// Meshes placed so that the image ends close to the greatest float. Whether it fits must not depend on the builder:
+/// for the mesh, for a group, for a group of groups, and for wide meshes. [INST-2]
 fn what_leaves_the_range_depends_on_no_builder<V: Vector>(most: f64, scales: &[f64]) {
     let (mut draw, mut seen) = (Draw::new(1), [0; 2]);
     for round in 0..1000 {

@@ -1,7 +1,7 @@
 use super::*;
 use crate::tests::Random;
 
-/// The hit of a ray, as `trace` writes it.
+/// Writes hits of rays like `trace`.
 pub(in crate::rows) fn write_hits<F: Float>(
     writer: impl io::Write,
     hits: impl ExactSizeIterator<Item = Option<(u32, F, F, F)>>,

@@ -25,10 +25,10 @@ pub(super) fn profiles() -> Vec<Profile> {
 
 const WIDTHS: [u32; 3] = [2, 4, 8];
 
-/// What the end of a search can be at most.
+/// The maximum end of a search.
 const GREATEST: u32 = u32::MAX;
 
-/// What is expected from an event on.
+/// Returns the expected result from an event on.
 fn left(walk: &WideWalk, run: &Reference<'_>, from: usize) -> Vec<(&'static str, Value)> {
     let hit = walk.hits.as_ref().map(|_| ("hit", json!(run.best)));
     [("events", json!(run.events[from..]))].into_iter().chain(hit).collect()
@@ -59,7 +59,7 @@ fn invalid() -> Profile {
     case("two-parents", "A node with two parents.", 4, &[Some(&[1, 2]), Some(&[3]), Some(&[3]), None]);
     case("unreached", "A node without a parent.", 8, &[Some(&[1, 2]), None, None, None]);
     case("cycle", "Nodes that are each other's children.", 4, &[Some(&[1]), None, Some(&[3]), Some(&[2])]);
-    // Who stops at the first leaf does not see these.
+    // Implementations that stop at the first leaf fail this case.
     case(
         "later-many",
         "More children than slots, after a leaf.",
@@ -80,7 +80,7 @@ fn invalid() -> Profile {
 fn states() -> Profile {
     let mut author = Author::new(Level::Resume, "wide");
     for slots in [4, 8] {
-        // The second hit is beyond the first, and the third child between them.
+        // The second hit is beyond the first, and the begin of the third child is between them.
         let hits = Some(vec![None, Some(slots + 1), Some(3 * slots), None]);
         let walk = WideWalk { hits, ..flat(slots, &[Some(0), Some(1), Some(2)]) };
         taken_up(&mut author, &format!("hit-kept-{slots}"), &walk, 5);
@@ -102,12 +102,12 @@ fn states() -> Profile {
     author.done()
 }
 
-/// A search is taken up from so many of its states.
+/// Adds cases that resume a search from `count` of its states.
 fn taken_up(author: &mut Author, name: &str, walk: &WideWalk, count: usize) {
     let run = Reference::run(walk);
     let nodes = run.visits.iter().map(|visit| visit.node);
     for (i, next) in moments(nodes, |node| walk.children[node as usize].is_none(), count) {
-        // After a hit that ends the search nothing is to be taken up.
+        // After a hit that ends the search, there is no state to resume.
         if next == Start::Backtrack && walk.any == Some(true) && run.visits[i].after.1.is_some() {
             continue;
         }
@@ -116,7 +116,7 @@ fn taken_up(author: &mut Author, name: &str, walk: &WideWalk, count: usize) {
     }
 }
 
-/// A search is taken up before or after a visit.
+/// Adds a case that resumes a search before or after a visit.
 fn state(author: &mut Author, name: &str, why: &str, walk: &WideWalk, run: &Reference<'_>, i: usize, next: Start) {
     let visit = &run.visits[i];
     let is_visited = next == Start::Backtrack;
@@ -177,7 +177,7 @@ fn hashed_keys(author: &mut Author, name: &str, slots: u32, children: WideChildr
     author.case(name, &["WIDE-9", "WIDE-16"], why, &ask, result([("keys", json!(keys))]));
 }
 
-/// By the definition, from the root down.
+/// Returns the looked-up keys by the definition, from the root down.
 fn asked_for(slots: u32, children: &WideChildren) -> Vec<u128> {
     let mut asked = Vec::new();
     let mut open = vec![(1_u128, 0_u32)];

@@ -1,10 +1,10 @@
-//! What a search through a wide tree visits: a recursion over the children's numbers, with the pending slots of each
-//! level in a list.
+//! The reference for visits of a search through a wide tree: a recursion over child indices, with a list of the pending
+//! slots of each level.
 
 use crate::ask::{Best, WideWalk};
 use crate::bits::Bits;
 
-/// What is seen at a visit, before it.
+/// The state at a visit, before it.
 #[derive(Clone, Debug)]
 pub(super) struct Visit {
     pub(super) node: u32,
@@ -13,7 +13,7 @@ pub(super) struct Visit {
     /// End and best hit, before the visit and after it.
     pub(super) before: (u32, Option<Best>),
     pub(super) after: (u32, Option<Best>),
-    /// Number of events before it, a backtrack to it included.
+    /// Number of events before the visit, including a backtrack to it.
     pub(super) events: usize,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Visit {
 struct Level {
     /// The slot of the child on the path.
     slot: u32,
-    /// The slots of those that are to come, the next one first.
+    /// The pending slots, the next one first.
     pending: Vec<u32>,
 }
 
@@ -31,13 +31,13 @@ struct Level {
 pub(super) struct Reference<'a> {
     walk: &'a WideWalk,
     path: Vec<Level>,
-    /// Levels from the root to the node visited last.
+    /// Levels from the root to the last visited node.
     level: usize,
     end: u32,
     pub(super) best: Option<Best>,
     pub(super) events: Vec<String>,
     pub(super) visits: Vec<Visit>,
-    /// How many pending children were beyond when their turn came.
+    /// Number of pending children that were beyond the end when they came next.
     pub(super) skipped: usize,
 }
 
@@ -45,7 +45,7 @@ pub(super) struct Reference<'a> {
 type Stopped = bool;
 
 impl<'a> Reference<'a> {
-    /// A search from the root to its end.
+    /// Runs a search from the root to its end.
     pub(super) fn run(walk: &'a WideWalk) -> Self {
         let end = walk.end.unwrap_or(u32::MAX);
         let (events, visits) = (Vec::new(), Vec::new());
@@ -74,7 +74,7 @@ impl<'a> Reference<'a> {
                 self.skipped += 1;
                 continue;
             }
-            // The first child follows its parent.
+            // The first child is visited directly after its parent.
             if self.visits.len() > seen + 1 {
                 let up = self.level - self.path.len();
                 self.events.push(format!("backtrack {} {up}", self.key().hex()));
@@ -85,7 +85,7 @@ impl<'a> Reference<'a> {
         stopped
     }
 
-    /// The slot whose turn it is, which becomes that of the path.
+    /// Removes the next slot and makes it the slot on the path.
     fn next_slot(&mut self) -> Option<u32> {
         let level = self.path.last_mut()?;
         if level.pending.is_empty() {
@@ -108,7 +108,7 @@ impl<'a> Reference<'a> {
         self.walk.sorted != Some(false)
     }
 
-    /// The slots of the wanted children, as they come. `[WIDE-5]` `[WIDE-6]`
+    /// Returns the slots of the wanted children in their order. `[WIDE-5]` `[WIDE-6]`
     fn wanted(&self, node: u32) -> Vec<u32> {
         let children = self.walk.children[node as usize].iter().flatten();
         let mut wanted: Vec<(u32, u32)> = (0..)

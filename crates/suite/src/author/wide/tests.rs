@@ -6,7 +6,7 @@ use crate::scripted::{Noted, wide_events};
 use crate::{Ask, WideWalk};
 use stackless_bvh::wide::oracle;
 
-/// What the library's oracle says of a case, and its best hit.
+/// Runs the library's oracle on a case. Returns the visits and the best hit.
 fn by_oracle<const A: usize, const SORTED: bool>(walk: &WideWalk) -> (Vec<String>, Option<crate::Best>) {
     let tree = walk.tree::<A>().unwrap();
     let (mut search, mut noted) = (walk.search::<A, SORTED>().unwrap(), Noted::default());
@@ -14,7 +14,7 @@ fn by_oracle<const A: usize, const SORTED: bool>(walk: &WideWalk) -> (Vec<String
     (wide_events(&tree, None, &noted.0), search.best())
 }
 
-/// Two references that were written apart. `[CONF-4]` `[WIDE-5]` `[WIDE-6]`
+/// Compares two independent references. `[CONF-4]` `[WIDE-5]` `[WIDE-6]`
 #[test]
 fn the_two_references_agree() {
     for seed in 0..2000 {
@@ -32,7 +32,7 @@ fn the_two_references_agree() {
     }
 }
 
-/// Whether no child begins before its parent does: what searches that start again rely on. `[WRESTART-1]`
+/// Returns whether no child begins before its parent, as searches that restart require. `[WRESTART-1]`
 fn is_monotone(walk: &WideWalk) -> bool {
     let begins = |rank: u32| rank - rank % walk.slots;
     let mut open = vec![(0, 0)];
@@ -49,7 +49,7 @@ fn is_monotone(walk: &WideWalk) -> bool {
     true
 }
 
-/// No case asks more of a search that starts again than it can do. `[WRESTART-1]`
+/// No case for restarting searches has ranks that they do not support. `[WRESTART-1]`
 #[test]
 fn ranks_do_not_become_less_on_the_way_down() {
     let mut count = 0;
@@ -68,7 +68,7 @@ fn ranks_do_not_become_less_on_the_way_down() {
     assert!(!is_monotone(&walk));
 }
 
-/// Small and large, pruned and not: what makes cases hard is there.
+/// The cases are diverse: small and large, pruned and not, with all features that make cases difficult.
 #[test]
 fn cases_are_hard_enough() {
     let (mut skipped, mut far, mut hits) = (0, 0, 0);

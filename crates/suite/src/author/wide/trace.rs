@@ -40,7 +40,7 @@ fn small(author: &mut Author) {
         case("all-mixed", "They come by rank, not by slot.", all(|slot| 5 * slot % 8));
         case("ties", "Of equal distances the lower slot comes first.", all(|_| 7));
         case("ties-some", "Some distances are equal.", all(|slot| 4 - slot / 2));
-        // The ranks' highest bit is a bit like any other.
+        // The highest bit of a rank has no special meaning.
         let most = GREATEST / slots;
         let far = flat(slots, &[Some(most), Some(most / 2), Some(0), Some(most / 2 + 1)][..slots.min(4) as usize]);
         case("far", "The greatest distance is not beyond the greatest end, and no number is negative.", far);
@@ -73,7 +73,7 @@ fn small(author: &mut Author) {
     }
 }
 
-/// What is beyond.
+/// Adds children beyond the end.
 fn ends(author: &mut Author) {
     for slots in WIDTHS {
         let mut case = |name: &str, why: &str, walk| traced(author, &format!("{name}-{slots}"), why, walk);
@@ -149,7 +149,7 @@ fn ends(author: &mut Author) {
     }
 }
 
-/// Searches without an order.
+/// Adds searches without an order.
 fn leaves_first(author: &mut Author) {
     for slots in WIDTHS {
         let up: &[_] = &[(1, Some(0)), (2, Some(4))];
@@ -181,10 +181,10 @@ fn leaves_first(author: &mut Author) {
     }
 }
 
-/// A random case.
+/// Draws a case.
 pub(super) fn drawn(seed: u64, leaves: u32) -> (String, &'static str, WideWalk) {
     let slots = WIDTHS[seed as usize % 3];
-    // Short distances for many that are equal.
+    // Short ranges of distances give many ties.
     let walk = random(6000 + seed, slots, leaves, [3, 8, 20][seed as usize / 3 % 3]);
     let unhit = || WideWalk { hits: None, ..walk.clone() };
     match seed / 9 % 5 {
@@ -202,12 +202,12 @@ pub(super) fn drawn(seed: u64, leaves: u32) -> (String, &'static str, WideWalk) 
     }
 }
 
-/// Chains around the ends of words, and around what records name.
+/// Adds chains around the depth limits of the words, and around the reach of the records.
 fn chains(author: &mut Author, slots: u32) {
     let mut case = |levels: u32, name: &str, why: &str, walk| {
         traced(author, &format!("chain-{slots}-{levels}-{name}"), why, walk);
     };
-    // Beyond that words end that carry more levels of fewer slots.
+    // At greater depths, words for fewer slots, which have more levels, reach their limits.
     let deep: &[u32] = match slots {
         2 => &[62, 63, 64, 65, 127, 128],
         4 => &[41, 42, 63, 64],
@@ -232,12 +232,12 @@ fn chains(author: &mut Author, slots: u32) {
     }
 }
 
-/// A case of a trace; what it is about follows from what happens.
+/// Adds a case of a trace. The events determine its clauses.
 pub(super) fn traced(author: &mut Author, name: &str, why: &str, walk: WideWalk) {
     let run = Reference::run(&walk);
     let clauses = clauses(&walk, &run);
     let mut fields = left(&walk, &run, 0);
-    // With hits it depends on the implementation since when a child that is beyond is not pending any more.
+    // With hits, implementations may differ in when a child beyond the end ceases to be pending.
     if walk.hits.is_none() {
         fields.push(("trails", run.visits.iter().map(|visit| visit.trail.hex()).collect()));
     }
@@ -252,7 +252,7 @@ fn clauses(walk: &WideWalk, run: &Reference<'_>) -> Vec<&'static str> {
     if !backs.is_empty() {
         clauses.extend(["WIDE-2", "WIDE-10", "WIDE-11"]);
     }
-    // Who has gone down has to find the ancestor, and which of its children comes next.
+    // After a descent, a backtrack must find the ancestor and its next child.
     let goes_down = backs.iter().any(|&levels| levels > 0);
     if goes_down {
         clauses.extend(["WIDE-13", "WIDE-15", "WIDE-16"]);

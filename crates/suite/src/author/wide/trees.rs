@@ -1,9 +1,9 @@
-//! The wide trees of the cases, and searches through them.
+//! The wide trees of the cases, and their searches.
 
 use crate::ask::{WideChildren, WideWalk};
 use stackless_bvh::generate::{Rng, Source, wide_shape};
 
-/// The greatest level of an inner node; `None` where numbers of children are no tree with the root 0. `[WIDE-1]`
+/// Returns the greatest level of an inner node; `None` if the child indices do not form a tree with root 0. `[WIDE-1]`
 pub(crate) fn levels_if_tree(slots: u32, children: &WideChildren) -> Option<u32> {
     let (mut reached, mut levels) = (vec![false; children.len()], None);
     let mut pending = vec![(0_u32, 0)];
@@ -21,13 +21,13 @@ pub(crate) fn levels_if_tree(slots: u32, children: &WideChildren) -> Option<u32>
     levels.filter(|_| children[0].is_some() && reached.into_iter().all(|reached| reached))
 }
 
-/// A child, and the distance at which it begins, in steps of a rank; `None` where it is not wanted.
+/// A child, with its begin in steps of a rank; `None` if it is not wanted.
 pub(super) type Child = (u32, Option<u32>);
 
-/// A tree by its nodes: each inner one with its children. A leaf has no list.
+/// A tree as a list of nodes: the children of an inner node, or `None` for a leaf.
 pub(super) type Nodes<'a> = &'a [Option<&'a [Child]>];
 
-/// The tree of these nodes, with slots from 0 on.
+/// Builds the tree of these nodes, with slots from 0 on.
 pub(super) fn told(slots: u32, nodes: Nodes<'_>) -> WideWalk {
     let children = |list: &[Child]| list.iter().map(|&(child, _)| child).collect();
     let ranks = |list: &[Child]| {
@@ -41,8 +41,8 @@ pub(super) fn told(slots: u32, nodes: Nodes<'_>) -> WideWalk {
     }
 }
 
-/// The tree of a text, with a space between words. Brackets hold the children of an inner node, from slot 0 on. A child
-/// is the distance at which it begins, a multiple of 8; then come its own children, or `!` and the distance of its hit.
+/// Parses a tree from text, with spaces between words. Brackets contain the children of an inner node, from slot 0 on.
+/// A child is its begin, a multiple of 8, followed by its own children, or by `!` and the distance of its hit.
 pub(super) fn parsed(slots: u32, text: &str) -> WideWalk {
     let (mut children, mut ranks, mut hits) = (vec![None], vec![None], vec![None]);
     let mut path = Vec::new();
@@ -71,21 +71,21 @@ pub(super) fn parsed(slots: u32, text: &str) -> WideWalk {
     WideWalk { slots, children, ranks, hits, ..WideWalk::default() }
 }
 
-/// A root with leaves that begin so far away.
+/// Builds a root whose leaves have these begins.
 pub(super) fn flat(slots: u32, begins: &[Option<u32>]) -> WideWalk {
     let list: Vec<_> = (1..).zip(begins.iter().copied()).collect();
     let nodes: Vec<_> = [Some(&list[..])].into_iter().chain(begins.iter().map(|_| None)).collect();
     told(slots, &nodes)
 }
 
-/// Inner nodes down to a level, each the child of the one before in a slot, with leaves in the slots before it and in
-/// the one after. The next inner node comes first. The others are wanted where `wants` says so, by level.
+/// Builds a chain of inner nodes. Each is in a slot of the previous one, with leaves in the slots before it and in the
+/// one after. The next inner node comes first. `wants` selects, by level, whether the leaves are wanted.
 pub(super) fn chain(slots: u32, levels: u32, slot: impl Fn(u32) -> u32, wants: impl Fn(u32) -> bool) -> WideWalk {
     let mut lists: Vec<Option<Vec<Child>>> = vec![None];
     let mut node = 0;
     for level in 0..=levels {
         let at = slot(level) % slots;
-        // Further levels begin later, as boxes in boxes do.
+        // Lower levels begin later, as nested boxes do.
         let begins = |other: u32| if other == at { Some(level) } else { wants(level).then_some(level + 1) };
         let first = lists.len() as u32;
         let list: Vec<_> = (0..slots.min(at + 2)).map(|slot| (first + slot, begins(slot))).collect();
@@ -96,7 +96,7 @@ pub(super) fn chain(slots: u32, levels: u32, slot: impl Fn(u32) -> u32, wants: i
     told(slots, &lists.iter().map(Option::as_deref).collect::<Vec<_>>())
 }
 
-/// A random tree, what a search wants of it, and what it finds.
+/// Draws a random tree with a search and its hits.
 pub(super) fn random(seed: u64, slots: u32, leaves: u32, distances: u32) -> WideWalk {
     let mut rng = Rng::new(seed);
     let (leaves, links) = (2 + rng.below(u64::from(leaves) - 1) as u32, rng.below(6) as u32);
@@ -118,7 +118,7 @@ pub(super) fn random(seed: u64, slots: u32, leaves: u32, distances: u32) -> Wide
         ranks[node] = Some(list.iter().zip(0..).map(of).collect());
     }
     let hit = |(begin, list): (&u32, &Option<_>)| {
-        // Near its begin, so that much is beyond.
+        // Close to its begin: many nodes are beyond the hit.
         let within = rng.below(u64::from(2 * slots)) as u32;
         (list.is_none() && rng.coin()).then_some(begin * slots + within)
     };

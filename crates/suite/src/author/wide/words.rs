@@ -1,4 +1,4 @@
-//! Where numbers, sets of bits, stacks and keys end that an implementation keeps.
+//! The limits of an implementation's numbers, bit sets, stacks and keys.
 
 use super::WIDTHS;
 use super::trace::traced;
@@ -6,11 +6,11 @@ use super::trees::parsed;
 use crate::ask::WideWalk;
 use crate::author::Author;
 
-/// Name, why, end, whether any hit will do, and the tree as [`parsed`] reads it. Begins are multiples of 8, so they are
-/// distances in trees of any number of slots.
+/// Name, reason, end, whether it is an any-hit query, and the tree in the format of [`parsed`]. Begins are multiples of
+/// 8, so they are valid distances for any number of slots.
 type Row = (&'static str, &'static str, Option<u32>, bool, &'static str);
 
-/// 2^24 + 7 and 2^24 + 8 are one number in single precision; from 2^31 on, a signed number of 32 bits is negative.
+/// 2^24 + 7 and 2^24 + 8 are equal in single precision. From 2^31 on, a signed 32-bit number is negative.
 const ROWS: [Row; 15] = [
     (
         "end-float",
@@ -37,7 +37,7 @@ const ROWS: [Row; 15] = [
 
 const KEPT: &str = "The hit below is just before the begin of the child that is pending: beyond on the way back.";
 
-/// Cases of all of these, for each number of slots.
+/// Adds the cases of all rows, for each number of slots.
 pub(super) fn words(author: &mut Author) {
     for slots in WIDTHS {
         let mut case = |name: &str, why: &str, end: Option<u32>, any: bool, text: &str| {
@@ -76,7 +76,7 @@ pub(super) fn words(author: &mut Author) {
     }
 }
 
-/// A chain of only children so many levels down, and what is below it.
+/// Formats a chain of `levels` only children, and the tree below it.
 fn spine(levels: usize, begin: u32, below: &str) -> String {
     format!("{}{below}{}", format!("( {begin} ").repeat(levels), " )".repeat(levels))
 }

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use super::super::predicates::apart;
 use super::*;
 
-/// Any finite double: of all bits, or a few digits times any power of two.
+/// Draws any finite double: with all bits, or with a few digits times any power of two.
 fn double() -> impl Strategy<Value = f64> {
     let finite = any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite());
     let short = (-9..9i32, -1074..1021i32).prop_map(|(digits, exponent)| f64::from(digits) * 2f64.powi(exponent));
@@ -28,7 +28,7 @@ fn rational(x: f64) -> RBig {
     RBig::try_from(x).expect("a finite number")
 }
 
-/// The sum, as the library of rational numbers has it.
+/// Returns the sum as a rational number.
 fn value(sum: &Accumulator) -> RBig {
     RBig::from(sum.integer()) / RBig::from(UBig::ONE << (-UNIT) as usize)
 }
@@ -48,7 +48,7 @@ proptest! {
 
     /// [EXACT-8]
     ///
-    /// Differences too, where they overflow.
+    /// Also differences, where they overflow.
     #[test]
     fn volumes_are_exact(d in [vector(), vector()], a in [vector(), vector()], b in [vector(), vector()]) {
         let sum = Accumulator::volume(&apart(d), &apart(a), &apart(b));
@@ -60,7 +60,7 @@ proptest! {
         prop_assert_eq!(value(&sum), terms.into_iter().fold(RBig::ZERO, |a, b| a + b));
     }
 
-    /// 128 digits from the first on, and whether anything is left, in whichever limb. [EXACT-8]
+    /// The first 128 digits, and whether any limb has further digits. [EXACT-8]
     #[test]
     fn the_first_digits_are_those_of_the_sum(
         base in 0..5000usize,
@@ -82,7 +82,7 @@ proptest! {
         prop_assert_eq!((found.is_negative, found.is_exact), (sign == Sign::Negative, is_all));
     }
 
-    /// What is added and what is subtracted, in any order, and a carry over many limbs.
+    /// Adding and subtracting equal products in any order gives 0, with carries over many limbs.
     #[test]
     fn what_is_added_and_subtracted_is_nothing(
         parts in prop::collection::vec(([any::<u64>(), any::<u64>(), any::<u64>()], 0..6000usize), 1..20),
@@ -115,7 +115,7 @@ fn a_carry_runs_as_far_as_it_has_to() {
     }
 }
 
-/// The greatest products and the least, as often as they fit.
+/// The greatest and the least products, in the maximum number.
 #[test]
 fn the_register_holds_all_products() {
     let mut sum = Accumulator::new();

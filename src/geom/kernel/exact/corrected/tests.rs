@@ -3,26 +3,26 @@ use super::*;
 use crate::generate::{Rng, Source as _};
 use crate::geom::truth::{self, Point};
 
-/// Where rays come from and what they hit.
+/// Kinds of rays.
 #[derive(Clone, Copy, Debug)]
 enum Aim {
-    /// Any triangle, from anywhere.
+    /// At any triangle, from any point.
     Plain,
-    /// From next to the triangle: the distance is tiny.
+    /// From a point close to the triangle: the distance is tiny.
     Near,
-    /// Next to the first corner: the weights are tiny.
+    /// Close to the first corner: the weights are tiny.
     Corner,
-    /// A triangle with next to no area.
+    /// At a triangle with almost no area.
     Needle,
-    /// A direction next to the plane of the triangle.
+    /// A direction almost parallel to the plane of the triangle.
     Grazing,
-    /// The same, from next to the triangle.
+    /// A direction almost parallel to the plane, from a point close to the triangle.
     NearGrazing,
 }
 
 const AIMS: [Aim; 6] = [Aim::Plain, Aim::Near, Aim::Corner, Aim::Needle, Aim::Grazing, Aim::NearGrazing];
 
-/// Rays through triangles, with numbers of all digits.
+/// Draws a ray through a triangle, with numbers of all digits.
 fn aimed(aim: Aim, rng: &mut Rng) -> ([DVec3; 3], DVec3, DVec3) {
     let mut number =
         || (rng.below(1 << 53) as f64 / (1_u64 << 52) as f64 - 1.0) * power_of_two(rng.below(8) as i32 - 4);
@@ -41,7 +41,8 @@ fn aimed(aim: Aim, rng: &mut Rng) -> ([DVec3; 3], DVec3, DVec3) {
     ([a, b, c], a + (b - a) * x + (c - a) * y - d * t, d)
 }
 
-/// What is told of a certain hit is what rationals say; how much that is, of four answers. `None` if it is not certain.
+/// Checks the certain answers about a hit against rational arithmetic, and counts them, out of four. `None` if the hit
+/// is uncertain.
 fn told(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<u32> {
     let (found, errors) = (Determinants::of(corners, o, d), Errors::of_triangle(corners, o, d));
     if !found.is_hit(&errors) {
@@ -60,7 +61,7 @@ fn told(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> Option<u32> {
 
 /// [EXACT-14]
 ///
-/// Each answer is that of rationals, and of usual rays nearly all are known.
+/// Each answer equals rational arithmetic, and for ordinary rays nearly all answers are certain.
 #[test]
 fn corrected_quotients_are_those_of_rationals() {
     for (aim, least) in AIMS.into_iter().zip([0.999, 0.6, 0.8, 0.3, 0.3, 0.4]) {
@@ -76,10 +77,10 @@ fn corrected_quotients_are_those_of_rationals() {
     }
 }
 
-/// Rays whose distances are wrong with smaller constants: the bits of origin, direction and corners. A hill climb over bits found
-/// them, for the error in parts of the bound that the smaller constant gives: 1.2 and 1.4.
+/// Rays whose distances would be wrong with smaller constants: the bits of origin, direction and corners. Hill climbing
+/// over bits found them. It maximised the error relative to the bound of the smaller constant, to 1.2 and 1.4.
 const WORST: [[[u64; 3]; 5]; 2] = [
-    // A sixteenth of the first constant is too little.
+    // A sixteenth of the first constant is too small.
     [
         [0x3fe0_e53d_74e2_6b93, 0x3f71_0e2c_c0f5_3f81, 0xbfc6_1e5c_98b9_d110],
         [0xbfd1_a3f8_2c43_bde1, 0x3fd0_035a_618c_3f0d, 0xbfc7_107e_83b8_4fd8],
@@ -87,7 +88,7 @@ const WORST: [[[u64; 3]; 5]; 2] = [
         [0xbfa5_47d3_9184_7122, 0x3fe4_cb19_e37c_d34c, 0xbfe5_f0a7_8050_9870],
         [0xbfc3_c6dd_337c_c37c, 0xbfde_431e_8939_44a6, 0x3fe2_850d_9216_93f0],
     ],
-    // The second constant may not be 0.
+    // The second constant must not be 0.
     [
         [0x3fbd_18f5_1d5a_09cb, 0xbfe7_a874_6b70_f3cd, 0x3fbf_6e68_6d30_c94e],
         [0x3f79_e707_478f_db89, 0xbfd1_02e1_7ac8_2c6e, 0x3f7a_4319_5e9b_b281],

@@ -7,7 +7,7 @@ use crate::geom::{Aabb, Frame};
 
 /// [EXACT-8]
 ///
-/// A component next to nothing decides.
+/// An almost vanishing component decides.
 #[test]
 fn a_component_next_to_nothing_counts() {
     let corners = [DVec3::ZERO, DVec3::Y, DVec3::X];
@@ -18,7 +18,7 @@ fn a_component_next_to_nothing_counts() {
     }
 }
 
-/// Where all corners and the origin are 0.
+/// All corners and the origin are 0.
 #[test]
 fn what_is_nothing_is_missed() {
     let shape = Triangle([DVec3::ZERO; 3]);
@@ -31,7 +31,7 @@ fn what_is_nothing_is_missed() {
 
 /// [EXACT-8]
 ///
-/// Numbers of all sizes, in triangles that rays hit, graze and miss.
+/// Numbers of all magnitudes, in triangles that rays hit, graze and miss.
 #[test]
 fn the_answer_is_that_of_rationals() {
     let mut rng = Rng::new(12);
@@ -49,7 +49,7 @@ fn the_answer_is_that_of_rationals() {
         let t = expected.as_ref().map(|point| truth::round_f64(&point.t));
         let crosses = t.is_some() && is_crossed_in_rationals(&shape.0, ray.origin(), ray.direction());
         let weights = expected.map(|Point { u, v, .. }| [&u, &v].map(truth::round_f64));
-        // By sums alone, where the scene is not usual, and by all stages.
+        // By sums alone, if the region is unsuitable for the filters, and by all stages.
         for (is_staged, region) in [(false, nothing), (true, all(place))] {
             let exact = Exact64::new(&ray, &region);
             assert_eq!(exact.distance(&shape, f64::INFINITY), t, "{ray:?} {shape:?}");
@@ -68,7 +68,7 @@ fn the_answer_is_that_of_rationals() {
     assert!(hits > 8_000 && (4_000..hits).contains(&crossings) && staged > 500, "{hits} {crossings} {staged}");
 }
 
-/// Stages are asked where direction, distance, scene and the longest edge are within 2^-200 to 2^200. [EXACT-7]
+/// The stages are used if direction, distance, scene and the longest edge are within 2^-200 to 2^200. [EXACT-7]
 #[test]
 fn stages_are_asked_within_their_range() {
     let power = |exponent: i32| 2f64.powi(exponent);
@@ -112,7 +112,7 @@ fn is_crossed_in_rationals(corners: &[DVec3; 3], o: DVec3, d: DVec3) -> bool {
     sides == [1; 3] || sides == [-1; 3]
 }
 
-/// Between the units of a huge triangle and those of its ray a distance near 1 is subnormal.
+/// Between the units of a huge triangle and those of its ray, a distance close to 1 is subnormal.
 #[test]
 fn a_distance_is_not_rounded_to_fewer_digits_in_other_units() {
     let corners = [DVec3::Y * 1.35, DVec3::X * 1e60, DVec3::NEG_X * f64::MAX];
@@ -121,8 +121,8 @@ fn a_distance_is_not_rounded_to_fewer_digits_in_other_units() {
     assert_eq!(exact.distance(&Triangle(corners), f64::INFINITY), Some(1.0 / 0.814_679_627_926_693_7));
 }
 
-/// A ray at a corner, at an edge or inside of a triangle, or beside it; in the units 2^place and 2^way. If they are
-/// mixed, some numbers are far smaller than others.
+/// Draws a ray at a corner, at an edge, inside a triangle, or just outside, in the units 2^place and 2^way. If
+/// `is_mixed`, some numbers are far smaller than the remaining ones.
 fn aimed(rng: &mut Rng, [place, way]: [i32; 2], is_mixed: bool) -> (Ray<DVec3>, Triangle<DVec3>) {
     loop {
         let mut number = |limit: u64| {
@@ -139,7 +139,7 @@ fn aimed(rng: &mut Rng, [place, way]: [i32; 2], is_mixed: bool) -> (Ray<DVec3>, 
         };
         let d = target - o;
         let (unit, pace) = (2f64.powi(place), 2f64.powi(way));
-        // The target is at 1.
+        // The target is at distance 1.
         let ends = [[0.0, f64::INFINITY], [0.0, 1.0], [1.0, f64::INFINITY], [0.5, 1.0], [1.0, 1.0], [0.0, 0.5]];
         let [start, end] = ends[(number(6) + 3.0) as usize];
         let times = |t: f64| t * 2f64.powi((place - way).clamp(-1000, 1000));

@@ -12,7 +12,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![2 => prop::sample::select(few.to_vec()), 6 => -2.0..2.0f64, 1 => small]
 }
 
-/// A number, and half the width of an interval around it.
+/// Draws a number, and half the width of an interval around it.
 fn around() -> impl Strategy<Value = (f64, f64)> {
     let width = prop_oneof![Just(0.0), Just(1e-15), Just(1e-9), Just(1e-4), Just(0.05), Just(1.0)];
     (coordinate(), width)
@@ -25,7 +25,7 @@ fn triangle() -> impl Strategy<Value = Triangle> {
 
 const INTERVAL: [f32; 2] = [0.0, 8.0];
 
-/// The exact hit of a ray in double precision.
+/// Returns the exact hit of a ray in double precision.
 fn truth<V: Vector>(triangle: &Triangle<V>, o: [f64; 3], d: [f64; 3]) -> Option<Point> {
     match meet(triangle.widen().map(|corner| corner.to_array()), o, d) {
         Meeting::Hit(point) => Some(point),
@@ -36,7 +36,7 @@ fn truth<V: Vector>(triangle: &Triangle<V>, o: [f64; 3], d: [f64; 3]) -> Option<
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40_000))]
 
-    /// For all 64 corners of the bounds and for the middle.
+    /// For all 64 corners of the bounds and for the midpoint.
     #[test]
     fn verdicts_hold_for_every_ray_within_bounds(
         triangle in triangle(),
@@ -48,7 +48,7 @@ proptest! {
         verdicts_hold(&triangle, numbers, [1.0; 2])?;
     }
 
-    /// The same for corners that are doubles, far from zero, tiny and huge.
+    /// Also for triangles with corners that are doubles, far from zero, tiny and huge.
     #[test]
     fn verdicts_hold_for_doubles(
         corners in [[coordinate(), coordinate(), coordinate()], [coordinate(), coordinate(), coordinate()],
@@ -73,7 +73,7 @@ proptest! {
     }
 }
 
-/// A ray at a point near the edge between the first corners, or inside.
+/// Aims a ray at a point close to the edge between the first corners, or inside.
 fn aimed<V: Vector>(triangle: &Triangle<V>, mut numbers: [(f64, f64); 6], aim: [f64; 2]) -> [(f64, f64); 6] {
     let [a, b, c] = triangle.widen();
     let target = a + (b - a) * aim[0] + (c - a) * (aim[1] * aim[1] * (1.0 - aim[0]));
@@ -83,7 +83,8 @@ fn aimed<V: Vector>(triangle: &Triangle<V>, mut numbers: [(f64, f64); 6], aim: [
     numbers
 }
 
-/// Numbers and half the widths of intervals around them, and the sizes of the triangle and of the direction.
+/// Parameters: numbers and half the widths of intervals around them, and the magnitudes of the triangle and of the
+/// direction.
 fn verdicts_hold<V: Vector>(
     triangle: &Triangle<V>,
     numbers: [(f64, f64); 6],
@@ -133,7 +134,7 @@ fn verdicts_hold<V: Vector>(
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40_000))]
 
-    /// Half of the lines are aimed at a corner or at the middle of an edge, with coordinates of all digits too.
+    /// Half of the lines are aimed at a corner or at the midpoint of an edge, also with coordinates of all digits.
     #[test]
     fn sums_tell_of_every_ray_that_is_known_exactly(
         triangle in triangle(),
@@ -153,7 +154,7 @@ proptest! {
         };
         prop_assume!(d != [0.0; 3]);
         let [origin, direction] = [o, d].map(|v| v.map(Interval::exact));
-        // An end of the interval is where the triangle is met.
+        // An end of the interval is at the hit.
         let at = match meet(triangle.widen().map(|corner| corner.to_array()), o, d) {
             Meeting::Hit(point) => round_f32(&point.t),
             _ => 1.0,
@@ -166,7 +167,7 @@ proptest! {
         let test = EnclosedTest::new(&EnclosedRay::new(origin, direction), interval, &Region::of(&triangle.aabb()));
         let hit = meet(triangle.widen().map(|corner| corner.to_array()), o, d).within(interval);
         if !test.is_exact {
-            // A subnormal number whose half is none.
+            // A subnormal number whose half is not representable.
             return Ok(());
         }
         let expected = hit.as_ref().map_or(Certainty::Miss, |hit| Certainty::Hit(round_f32(&hit.t)));
@@ -193,8 +194,8 @@ fn numbers_beyond_the_range_are_left_open() {
     assert_eq!((test.distance(&triangle, 1.0), test.weights(&triangle)), (Certainty::Open, None));
 }
 
-/// A line through the middle of an edge, at the end of bounds that change the edge function as much as can be: with
-/// half of [`OFF_SIGN`](crate::geom::kernel::OFF_SIGN) the triangle is missed.
+/// A line through the midpoint of an edge, at the end of bounds with the greatest effect on the edge function. With
+/// half of [`OFF_SIGN`](crate::geom::kernel::OFF_SIGN) the triangle would be missed.
 #[test]
 fn bounds_of_signs_are_needed() {
     let corners = [[64.9375, -62.9375, 63.0], [64.0, -64.0, 64.0], [66.0, -62.0, 62.0]];
@@ -207,12 +208,12 @@ fn bounds_of_signs_are_needed() {
     }
 }
 
-/// The same for distances: of many rays some are next to the middle of two floats. With half of
-/// [`OFF`](crate::geom::kernel::OFF), for the determinant or for the distance, hundreds have another distance than is
-/// certain.
+/// Of many rays, some have distances close to the midpoint of two floats. With half of
+/// [`OFF`](crate::geom::kernel::OFF), for the determinant or for the distance, hundreds of distances reported as
+/// certain would be wrong.
 #[test]
 fn bounds_of_distances_are_needed() {
-    // The normal is (0, 2, 2): a sum of all changes counts.
+    // The normal is (0, 2, 2), so the sum of all changes matters.
     let triangle = Triangle([Vec3::new(-1.0, 1.0, 3.0), Vec3::new(0.0, 0.0, 4.0), Vec3::new(0.0, 2.0, 2.0)]);
     let region = Region::of(&triangle.aabb());
     let mut certain = 0;
@@ -233,7 +234,7 @@ fn bounds_of_distances_are_needed() {
     assert!(certain > 1000, "{certain}");
 }
 
-/// A ray that is known exactly: all is certain but what is at an end of the interval.
+/// For an exact ray all answers are certain, except for hits at an end of the interval.
 #[test]
 fn only_the_ends_of_the_interval_are_left_open() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * 4.0));
@@ -254,7 +255,7 @@ fn only_the_ends_of_the_interval_are_left_open() {
         let test = test(interval);
         assert_eq!((test.distance(&triangle, interval[1]), test.blocks(&triangle)), (distance, blocks), "{interval:?}");
     }
-    // What is nearer ends the search: a miss only if it is nearer than the triangle.
+    // A closer hit ends the search. The triangle is missed only if that hit is closer than the triangle.
     let whole = test([0.0, 9.0]);
     assert_eq!([1.0, below, 2.0, 3.0].map(|limit| whole.distance(&triangle, limit) == Certainty::Hit(2.0)), [true; 4]);
     let at_end = test([2.0, 9.0]);
@@ -264,12 +265,12 @@ fn only_the_ends_of_the_interval_are_left_open() {
     assert_eq!(weights, [0.25, 0.25]);
     let beside = EnclosedTest::new(&ray(5.0, 5.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
     assert_eq!((beside.distance(&triangle, 9.0), beside.settle(&triangle)), (Certainty::Miss, Certainty::Miss));
-    // Bounds leave an edge open, and sums do not.
+    // Bounds leave an edge undecided, and sums decide it.
     let edge = EnclosedTest::new(&ray(1.0, 0.0), [0.0, 9.0], &Region::of(&triangle.aabb()));
     assert_eq!((edge.distance(&triangle, 9.0), edge.blocks(&triangle)), (Certainty::Open, Certainty::Open));
     assert_eq!((edge.settle(&triangle), edge.weights(&triangle)), (Certainty::Hit(2.0), Some([0.25, 0.0])));
     assert_eq!([at_end.settle(&triangle), test([3.0, 9.0]).settle(&triangle)], [Certainty::Hit(2.0), Certainty::Miss]);
-    // Neither are weights certain that the bounds leave between two floats.
+    // Weights are also uncertain if their bounds contain a midpoint between two floats.
     let about = |x: f64, off: f64| Interval::between([x - off, x + off]);
     for [of_x, of_y] in [[1e-5, 0.0], [0.0, 1e-5]] {
         let rays = EnclosedRay { origin: [about(1.0, of_x), about(1.0, of_y), Interval::exact(-2.0)], ..ray(1.0, 1.0) };
@@ -295,7 +296,7 @@ fn directions_are_usual_from_one_end_of_the_range_to_the_other() {
     assert_eq!([asked(great, most), asked(great, most.next_up())], [Certainty::Hit(3.0 * small), Certainty::Open]);
 }
 
-/// Near an edge, on either side, where the bounds for the object are too coarse.
+/// Close to an edge, on either side, where the bounds for the whole object are too coarse.
 #[test]
 fn what_the_object_leaves_open_its_triangle_decides() {
     let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y].map(|corner| corner * 3.0));

@@ -16,12 +16,12 @@ fn parts(Errors { sign, det, t }: Errors) -> [f64; 3] {
     [sign, det, t]
 }
 
-/// The bounds of spec/exactness.md for greatest components of d, s, and e1 and e2.
+/// Returns the bounds of spec/exactness.md for the greatest components of d, s, and e1 and e2.
 fn derived([d, c, e]: [f64; 3]) -> [f64; 3] {
     [78.0 * unit() * d * e * (c + e), 38.75 * unit() * d * e * e, 43.75 * unit() * c * e * e]
 }
 
-/// A triangle, origin and direction with greatest components of 7, 11 and 6, however the corners are turned.
+/// Returns a triangle, origin and direction with greatest components of 7, 11 and 6, for both orders of corners.
 fn case(turn: bool) -> ([DVec3; 3], DVec3, DVec3) {
     let [a, b, c] = [[1.0, 2.0, 3.0], [7.0, 2.0, 3.0], [1.0, 4.0, 3.0]].map(DVec3::from);
     (if turn { [a, c, b] } else { [a, b, c] }, DVec3::new(1.0, 2.0, -8.0), DVec3::new(1.0, -2.0, 7.0))
@@ -29,7 +29,7 @@ fn case(turn: bool) -> ([DVec3; 3], DVec3, DVec3) {
 
 const SIZES: [f64; 3] = [7.0, 11.0, 6.0];
 
-/// For one triangle, and for a scene that reaches to 8 and is 6 wide, with a ray from 3 at most. [EXACT-4]
+/// For one triangle, and for a scene that extends to 8 and is 6 wide, with a ray from 3 at most. [EXACT-4]
 #[test]
 fn bounds_are_no_wider_than_derived() {
     let region = Region::of(&Aabb { lo: Vec3::splat(2.0), hi: Vec3::new(8.0, 4.0, 3.0) });
@@ -53,7 +53,7 @@ fn rays_within_bounds_add_what_is_derived() {
     assert_eq!(parts(Errors::of_triangle_within([origin, direction], &corners, o, along)).as_slice(), expected);
 }
 
-/// Errors of the parts, and four roundings. [EXACT-9]
+/// The errors of the parts, and four roundings. [EXACT-9]
 #[test]
 fn quotients_are_as_wide_as_derived() {
     let errors = Errors { sign: 2f64.powi(-10), det: 2f64.powi(-12), t: 2f64.powi(-9) };
@@ -88,7 +88,8 @@ fn what_is_as_great_as_its_bound_has_no_certain_sign() {
     }
 }
 
-/// Whole numbers of these magnitudes: corners and edges up to the bounds' ends, where all is as great as it can be.
+/// Draws integers of these magnitudes: corners and edges up to the ends of the bounds, where all numbers have their
+/// greatest values.
 fn whole(bits: u32) -> impl Strategy<Value = f64> {
     let end = (1i64 << bits) - 1;
     prop_oneof![Just(end), Just(-end), -end..=end].prop_map(|x| x as f64)
@@ -98,8 +99,8 @@ fn vector(bits: u32) -> impl Strategy<Value = DVec3> {
     [whole(bits), whole(bits), whole(bits)].prop_map(DVec3::from)
 }
 
-/// Triangles about a corner, a line from another place, all scaled: of each, digits are few or as many as single precision has.
-/// One of the points may be on a finer grid than the others.
+/// Draws triangles around a corner and a line from another place, all scaled. They have few digits, or as many as
+/// single precision. One of the points may be on a finer grid.
 fn on_a_grid() -> impl Strategy<Value = ([DVec3; 3], DVec3, DVec3)> {
     let digits = [1..24u32, 1..24u32, 1..24u32];
     (digits, -100..100, 0..4usize, 0..9i32).prop_flat_map(|([edges, off, direction], scale, finer, by)| {
@@ -116,7 +117,7 @@ fn on_a_grid() -> impl Strategy<Value = ([DVec3; 3], DVec3, DVec3)> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-    /// Of the determinant, wherever the line begins. [EXACT-11]
+    /// The determinant is exact for any origin of the line. [EXACT-11]
     #[test]
     fn nothing_is_rounded_on_a_coarse_grid((corners, o, d) in on_a_grid()) {
         let (are_exact, is_exact) = (Determinants::are_exact(&corners, o, d), Determinants::has_exact_det(&corners, d));
@@ -140,7 +141,7 @@ proptest! {
     }
 }
 
-/// With one digit more in any of the conditions something is rounded. [EXACT-11]
+/// One more digit in any of the conditions causes rounding. [EXACT-11]
 #[test]
 fn grids_are_as_fine_as_they_can_be_told() {
     let corners = |edge: f64| [DVec3::ZERO, DVec3::new(edge, 0.0, 0.0), DVec3::new(0.0, edge, 1.0)];
@@ -152,21 +153,21 @@ fn grids_are_as_fine_as_they_can_be_told() {
     assert!(are_exact(all(16), all(16), all(16)) && !are_exact(all(16), all(16), all(17)));
     assert!(are_exact(all(16), all(16), all(16)) && !are_exact(all(16), all(17), all(16)));
     assert!(are_exact(all(1), all(30), all(17)) && !are_exact(all(17), all(16), all(16)));
-    // Of the determinant 3 for the sums, and any origin.
+    // For the determinant: 3 digits for the sums, and any origin.
     let is_exact = |edge: f64, d: f64| Determinants::has_exact_det(&corners(edge), DVec3::new(0.0, 1.0, d));
     assert!(is_exact(all(16), all(18)) && !is_exact(all(16), all(19)) && !is_exact(all(17), all(17)));
-    // The longer of edge and way counts, and the way for the distance, in which the direction does not occur.
+    // The longer of edge and origin matters. For the distance, which does not depend on the direction, only the origin.
     assert!(are_exact(all(23), all(1), all(2)) && !are_exact(all(23), all(1), all(3)));
     assert!(are_exact(all(1), all(23), all(24)) && !are_exact(all(1), all(24), all(24)));
     assert!(are_exact(all(17), all(16), all(14)) && !are_exact(all(17), all(17), all(1)));
-    // Positions that are too far apart for their differences.
+    // Positions too far apart for exact differences.
     let far =
         |corner: f64| [DVec3::splat(corner), DVec3::splat(corner + 1.0), DVec3::new(corner, corner + 1.0, corner)];
     let are_exact = |corner: f64| Determinants::are_exact(&far(corner), DVec3::splat(corner), DVec3::X);
     assert!(are_exact(2f64.powi(50)) && !are_exact(2f64.powi(51)));
 }
 
-/// A number of so many digits after the first, and zero.
+/// Draws zero or a number with this number of digits after the first.
 fn number() -> impl Strategy<Value = f64> {
     let some = (0..1u64 << 52, 0..=52u32, -30..30i32, any::<bool>()).prop_map(|(digits, zeros, scale, is_negative)| {
         let x = f64::from_bits(1023 << 52 | digits >> zeros << zeros) * f64::from(scale).exp2();
@@ -178,7 +179,7 @@ fn number() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-    /// As digit after digit says. [EXACT-11]
+    /// Compares with the digits one by one. [EXACT-11]
     #[test]
     fn units_are_those_of_the_last_digits(x in [number(), number(), number()], y in [number(), number(), number()]) {
         let numbers: Vec<f64> = [x, y].concat().into_iter().filter(|&x| x != 0.0).collect();
@@ -193,7 +194,7 @@ proptest! {
     }
 }
 
-/// Where nothing is said to be rounded, nothing is: of floats at thresholds. [EXACT-11]
+/// Determinants at thresholds that are reported as exact are exact. [EXACT-11]
 #[test]
 fn determinants_that_are_exact_are_the_true_ones() {
     let (mut draw, mut seen) = (Draw::new(1), [0; 2]);

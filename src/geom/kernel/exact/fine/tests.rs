@@ -20,7 +20,7 @@ fn vector() -> impl Strategy<Value = DVec3> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-    /// No answer that is certain is another than that of rational arithmetic. [EXACT-10]
+    /// Every certain answer equals rational arithmetic. [EXACT-10]
     #[test]
     fn what_is_certain_is_the_truth(
         corners in [vector(), vector(), vector()], o in vector(), d in vector(),
@@ -42,7 +42,7 @@ proptest! {
                     prop_assert_eq!(weights, [&point.u, &point.v].map(truth::round_f64));
                 }
             }
-            // The determinant is 0, and never certainly another.
+            // The determinant is 0, and never certain to be nonzero.
             Meeting::Coplanar => {
                 prop_assert_eq!((found.distance::<f64>(), found.weights::<f64>()), (None, None));
                 prop_assert_ne!(meets, Some(true));
@@ -52,7 +52,7 @@ proptest! {
     }
 }
 
-/// Nearly all are certain: else it would be no use.
+/// Nearly all answers are certain. Otherwise the stage would be useless.
 #[test]
 fn nearly_all_are_certain() {
     let mut rng = Rng::new(3);
@@ -69,8 +69,8 @@ fn nearly_all_are_certain() {
     assert!(certain > 990, "{certain}");
 }
 
-/// A line through a corner that is known exactly meets the triangle, whatever else is known of it; through one that is
-/// not, it is open. [INST-5]
+/// A line through an exactly known corner hits the triangle, for any bounds of the remaining numbers. Through an
+/// inexact corner, the hit is uncertain. [INST-5]
 #[test]
 fn corners_that_are_known_are_met() {
     let (corners, o) =
@@ -87,8 +87,8 @@ fn corners_that_are_known_are_met() {
     }
 }
 
-/// Of a line that begins so far away and passes through zero, or nearly so, beside an edge, by so much of the edge. Its
-/// direction is as short or long as that.
+/// Draws a line from a distance of `far` that passes through zero, or next to an edge by `beside` of the edge. The
+/// length of its direction is `length`.
 fn from_afar(rng: &mut Rng, [far, beside, length]: [i32; 3], is_off: bool) -> ([DVec3; 3], DVec3, DVec3) {
     let mut vector = || DVec3::from([(); 3].map(|()| (rng.bits() >> 40) as f64 / 2f64.powi(23) - 1.0));
     let (corners, off, way) = ([vector(), vector(), vector()], vector(), vector() * 2f64.powi(far));
@@ -101,8 +101,8 @@ fn sign(x: &RBig) -> Ordering {
     x.cmp(&RBig::ZERO)
 }
 
-/// From a near point of the line, signs are told which are not from where it begins, and none is wrong. Weights
-/// likewise. [EXACT-12]
+/// From a close point of the line, signs and weights become certain that are uncertain from its origin, and none is
+/// wrong. [EXACT-12]
 #[test]
 fn from_a_near_point_signs_are_told_and_true() {
     let mut rng = Rng::new(5);
@@ -131,7 +131,7 @@ fn from_a_near_point_signs_are_told_and_true() {
     assert!(near > 4400 && far < 2300 && weights > 1500, "{near} {far} {weights}");
 }
 
-/// A point of the line is as near to the near point as that says, and not at it. [EXACT-12]
+/// The line passes the close point within the reported distance, but not through it. [EXACT-12]
 #[test]
 fn the_line_passes_a_near_point_where_it_says() {
     let mut rng = Rng::new(7);
@@ -145,7 +145,7 @@ fn the_line_passes_a_near_point_where_it_says() {
     assert!(beside > 500, "{beside}");
 }
 
-/// Whether a line has a point that is nowhere farther than so much from another, on each axis.
+/// Returns whether a line has a point within a distance of another point on each axis.
 fn passes(o: DVec3, d: DVec3, point: DVec3, off: f64) -> bool {
     let exact = |x: f64| RBig::try_from(x).expect("finite");
     let spans = [0, 1, 2].map(|k| {
@@ -157,8 +157,7 @@ fn passes(o: DVec3, d: DVec3, point: DVec3, off: f64) -> bool {
     latest.max() <= first.min()
 }
 
-/// It does not matter which multiple of the direction is taken away, but what is left has to hold the way less that.
-/// [EXACT-12]
+/// Any multiple of the direction may be subtracted, but the remainder must enclose the exact difference. [EXACT-12]
 #[test]
 fn what_is_left_of_a_way_is_less_a_multiple_of_the_direction() {
     let mut rng = Rng::new(6);
@@ -167,7 +166,7 @@ fn what_is_left_of_a_way_is_less_a_multiple_of_the_direction() {
         let (left, _) = shortened(exact(o), d);
         let longest = DVec3::from(left.map(Fine::middle)).abs().max_element();
         assert!(longest < 64.0, "{o} {d}: {longest}");
-        // The way across the direction stays: of its product with the direction, and of that alone, nothing is known.
+        // The cross product with the direction does not change.
         let [before, after] = [exact(o), left].map(|way| cross(&way, &exact(d)));
         for (before, after) in before.into_iter().zip(after) {
             let apart = (before - after).sign();
@@ -176,8 +175,8 @@ fn what_is_left_of_a_way_is_less_a_multiple_of_the_direction() {
     }
 }
 
-/// The middle of two floats, the ends of an interval and what is beyond, of a triangle on a grid; and no distance that
-/// is not a double. [EXACT-10]
+/// The midpoint of two floats, the ends of an interval and points beyond, for a triangle on a grid. Distances that are
+/// not doubles are not decided. [EXACT-10]
 #[test]
 fn distances_that_are_doubles_are_placed_without_sums() {
     let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
@@ -188,7 +187,7 @@ fn distances_that_are_doubles_are_placed_without_sums() {
     let middle = 1.0 + 2f64.powi(-24);
     assert_eq!(placed(middle, [0.0, 9.0]), Hit(1.0), "of two floats the even one");
     assert_eq!(placed(middle + 2f64.powi(-23), [0.0, 9.0]), Hit(1.0 + 2.0 * f32::EPSILON));
-    // The distance itself is compared, not what it is rounded to.
+    // The exact distance is compared, not its rounded value.
     assert_eq!([placed(middle, [0.0, 1.0]), placed(1.0 - 2f64.powi(-26), [1.0, 9.0])], [Miss; 2]);
     assert_eq!([placed(1.0, [0.0, 1.0]), placed(1.0, [1.0, 2.0])], [Hit(1.0); 2]);
     assert_eq!([placed(3.0, [0.0, 1.0]), placed(-3.0, [0.0, 1.0])], [Miss; 2]);
@@ -201,7 +200,8 @@ fn distances_that_are_doubles_are_placed_without_sums() {
     assert_eq!(third.placed([0.0, 1.0 / 3.0_f32]), Open, "an end that it is rounded to");
 }
 
-/// Whatever bounds of a point near to the triangle tell is the truth, and from afar they tell nearly all. [EXACT-12]
+/// All answers from bounds of a point close to the triangle are right, and from far away nearly all are certain.
+/// [EXACT-12]
 #[test]
 fn a_near_point_tells_hits_and_misses() {
     let mut rng = Rng::new(8);

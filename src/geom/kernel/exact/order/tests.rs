@@ -6,7 +6,7 @@ use crate::geom::truth::{self, Meeting, RBig};
 
 type Corners = [DVec3; 3];
 
-/// The exact distance; `None` for a miss.
+/// Returns the exact distance; `None` for a miss.
 fn truth([a, b, c]: &Corners, o: DVec3, d: DVec3) -> Option<RBig> {
     match truth::meet([a, b, c].map(DVec3::to_array), o.to_array(), d.to_array()) {
         Meeting::Hit(point) => Some(point.t),
@@ -14,7 +14,7 @@ fn truth([a, b, c]: &Corners, o: DVec3, d: DVec3) -> Option<RBig> {
     }
 }
 
-/// A number of few digits, of single precision, or of double.
+/// Draws a number of few digits, of single precision, or of double precision.
 fn number(rng: &mut Rng) -> f64 {
     let whole = rng.below(1 << 24) as f64 - f64::from(1 << 23);
     match rng.below(4) {
@@ -29,8 +29,8 @@ fn vector(rng: &mut Rng) -> DVec3 {
     DVec3::from(array::from_fn(|_| number(rng)))
 }
 
-/// A triangle near to another: with its corners in another order, moved by the least steps, or with an edge or a corner of
-/// it and the rest elsewhere.
+/// Draws a triangle close to another: with permuted corners, with corners moved by single ulps, or with a common edge
+/// or corner.
 fn near(rng: &mut Rng, corners: &Corners) -> Corners {
     let mut next = *corners;
     next.rotate_left(rng.below(3) as usize);
@@ -48,7 +48,7 @@ fn near(rng: &mut Rng, corners: &Corners) -> Corners {
     next
 }
 
-/// A direction to a place of the triangle that is often an edge, a corner, or a place whose weights are short.
+/// Draws a direction to a point of the triangle, often on an edge, at a corner, or with weights of few digits.
 fn aim(rng: &mut Rng, [a, b, c]: &Corners, o: DVec3) -> DVec3 {
     let weights: [f64; 2] = match rng.below(5) {
         0 => [0.0, 0.0],
@@ -60,7 +60,8 @@ fn aim(rng: &mut Rng, [a, b, c]: &Corners, o: DVec3) -> DVec3 {
     a + (b - a) * weights[0] + (c - a) * weights[1] - o
 }
 
-/// Pairs of triangles that a ray meets, and the comparison of their exact distances, for `cases` draws at a scale.
+/// Checks pairs of triangles that a ray hits, with the comparison of their exact distances, for `cases` draws at a
+/// scale.
 fn pairs(seed: u64, scale: f64, cases: usize, mut check: impl FnMut([&Corners; 2], DVec3, DVec3, &RBig, &RBig)) {
     let mut rng = Rng::new(seed);
     for _ in 0..cases {
@@ -100,14 +101,14 @@ fn distances_compare_as_their_fractions() {
     assert!(seen.iter().all(|&seen| seen > 1000), "{seen:?}");
 }
 
-/// Triangles that are met at a shared edge or corner, that coincide, or that lie in one plane across an axis, are told
-/// without a quotient. [EXACT-13]
+/// The order of triangles hit at a common edge or corner, of coincident triangles, and of triangles in a common plane
+/// across an axis is decided without a quotient. [EXACT-13]
 #[test]
 fn triangles_that_are_met_together_are_told_by_signs() {
     let [a, b, c, e] = [[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [0.0, 4.0, 2.0], [0.0, -4.0, 7.0]].map(DVec3::from);
     let flat = [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]].map(|[x, y]| DVec3::new(x, y, 1.0));
     let moved = flat.map(|v| v - DVec3::new(0.5, 0.5, 0.0));
-    // On one line, seen from above, and not.
+    // On one line, seen from above, and not on one line.
     let wall = [[0.1, 0.3, -9.0], [0.7, 0.2, -9.0], [0.7, 0.2, 5.0]].map(|v| DVec3::from(v) * 5.0);
     let longer = [wall[0], wall[1] + DVec3::Z * 60.0, wall[1]].map(|v| v - DVec3::Z * 0.1);
     let turned = [longer[0], longer[1], longer[2].with_y(1.1)];

@@ -8,7 +8,7 @@ use crate::geom::{Aabb, Ray, Region};
 
 type Point = [i32; 3];
 
-/// Closed meshes: corners, and triangles all seen from outside in one sense.
+/// Draws closed meshes: corners, and triangles with a common orientation seen from outside.
 fn closed() -> impl Strategy<Value = (Vec<Point>, Vec<[usize; 3]>)> {
     let tetrahedron = (0..4usize).map(|i| [[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]][i]).collect::<Vec<_>>();
     let corners = [any_point(4), any_point(4), any_point(4), any_point(4)];
@@ -42,15 +42,15 @@ fn float([x, y, z]: Point) -> Vec3 {
     Vec3::new(x as f32, y as f32, z as f32)
 }
 
-/// Twice the area of the triangle as seen along the axes, times the distance of `o` from its plane.
+/// Returns six times the signed volume of the triangle and `o`.
 fn orientation([a, b, c]: [Point; 3], o: Point) -> i32 {
     let [a, b, c] = [a, b, c].map(|p| [0, 1, 2].map(|k| p[k] - o[k]));
     let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     cross[0] * c[0] + cross[1] * c[1] + cross[2] * c[2]
 }
 
-/// Whether the ray crosses the triangle after its origin is moved by (2^-16, 2^-32, 2^-48): in doubles without
-/// rounding, and so little that no nonzero integer of this size changes its sign.
+/// Returns whether the ray crosses the triangle after its origin is moved by (2^-16, 2^-32, 2^-48). Doubles do not
+/// round here, and the move is too small to change the sign of any nonzero integer of this size.
 fn crosses_when_moved(corners: [Vec3; 3], o: Vec3, d: Vec3) -> bool {
     let by = [-16, -32, -48].map(|power| 2f64.powi(power));
     let moved = o.as_dvec3() + DVec3::from(by);
@@ -78,7 +78,7 @@ proptest! {
         let triangles: Vec<_> = triangles.into_iter().map(|face| face.map(|i| corners[i])).collect();
         let triangle = triangles[first.index(triangles.len())];
         let [a, b] = [triangle[second], triangle[(second + 1) % 3]];
-        // At a corner, at twice the middle of an edge, along an edge, anywhere.
+        // At a corner, at twice the midpoint of an edge, along an edge, or anywhere.
         let d = match aim {
             0 => [0, 1, 2].map(|k| a[k] - o[k]),
             1 => [0, 1, 2].map(|k| a[k] + b[k] - 2 * o[k]),
@@ -88,7 +88,7 @@ proptest! {
         prop_assume!(d != [0; 3]);
         let sides: Vec<_> = triangles.iter().map(|&face| orientation(face, o)).collect();
         let is_inside = sides.iter().all(|&side| side > 0) || sides.iter().all(|&side| side < 0);
-        // Outside of a convex mesh that has a volume: on the other side of a face.
+        // Outside a convex mesh with a volume: on the other side of a face.
         let volume: i32 = sides.iter().sum();
         let is_outside = sides.iter().any(|&side| side * volume < 0) || volume == 0;
         let (o, d) = (float(o), float(d));
@@ -145,7 +145,7 @@ fn one_triangle_of_a_fan_is_crossed_at_its_hub() {
             let fan: Vec<_> = (0..n).map(|i| Triangle([hub, rim(i), rim(i + 1)])).collect();
             let region = Region::of(&fan.iter().map(Triangle::aabb).fold(Aabb::EMPTY, Aabb::union));
             for d in [Vec3::Z, Vec3::NEG_Z, Vec3::new(0.25, -0.5, 2.0)] {
-                // Without rounding, because the numbers have few bits more than the floats of the hub.
+                // There is no rounding, because the numbers have only a few more bits than the floats of the hub.
                 let ray = Ray::new(hub - d * (scale * 64.0), d).expect("a ray");
                 let exact = Exact::new(&ray, &region);
                 assert_eq!(fan.iter().filter(|shape| exact.crosses(shape)).count(), 1, "{n} {exponent} {d}");
@@ -154,7 +154,7 @@ fn one_triangle_of_a_fan_is_crossed_at_its_hub() {
     }
 }
 
-/// Triangles without area, and such as have an edge along the ray.
+/// Triangles without area, and triangles with an edge along the ray.
 #[test]
 fn no_line_along_an_edge_crosses_a_triangle() {
     let d = DVec3::new(1.0, 2.0, -3.0);

@@ -4,7 +4,7 @@ use crate::generate::draw::Draw;
 use crate::geom::tests::{exact, vectors};
 use crate::geom::truth::RBig;
 
-/// As seen along each axis.
+/// Returns the triangle as seen along each axis.
 fn turned(corners: [DVec3; 3]) -> [[DVec3; 3]; 3] {
     [0, 1, 2].map(|turn| corners.map(|v| DVec3::from([0, 1, 2].map(|k| v[(k + turn) % 3]))))
 }
@@ -21,7 +21,7 @@ fn an_area_is_certain_beyond_four_roundings() {
     }
 }
 
-/// No exact sum is needed for any triangle with an area to speak of.
+/// Triangles with a significant area need no exact sum.
 #[test]
 fn double_precision_is_certain_of_triangles_in_general_position() {
     let (mut random, mut asked) = (Rng::new(1), 0);
@@ -43,7 +43,7 @@ fn double_precision_is_certain_of_triangles_in_general_position() {
     assert!(asked > 4990, "{asked}");
 }
 
-/// A line along a triangle of floats is parallel to it, and twice the digits tell.
+/// A line along a triangle of floats is parallel to it, and double-double arithmetic proves that.
 #[test]
 fn lines_along_a_triangle_are_parallel_without_exact_sums() {
     let mut random = Rng::new(3);
@@ -52,7 +52,7 @@ fn lines_along_a_triangle_are_parallel_without_exact_sums() {
     for _ in 0..1000 {
         let [a, b] = [(); 2].map(|()| DVec3::new(float(), float(), float()));
         let (i, j) = (float(), float());
-        // Multiples of one edge are parallel to both.
+        // Multiples of one edge are parallel to both edges.
         for c in [a + (b - a) * 0.5, a + (b - a) * 4.0] {
             assert!(is_parallel(&[a, b, c], DVec3::new(i, j, 1.0)), "{a} {b} {c}");
         }

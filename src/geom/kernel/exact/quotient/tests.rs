@@ -16,11 +16,11 @@ fn distances_of_all_sizes_are_rounded_once() {
         assert_eq!(ahead(sign, 3.0), sign / 3.0);
         assert_eq!(ahead(0.0, 3.0 * sign).to_bits(), 0);
         assert_eq!(ahead(sign * power(1000), power(-20).next_up()), sign * power(1020).next_down().next_down());
-        // Subnormal, and in the middle between two of them.
+        // Subnormal, and halfway between two subnormal numbers.
         assert_eq!(ahead(sign * 3.0, power(500)), sign * 3.0 * power(-500));
         assert_eq!(ahead(sign * 5.0 * power(-100), power(975)), sign * power(-1073));
         assert_eq!(ahead(sign * 7.0 * power(-100), power(975)), sign * power(-1072));
-        // Next to nothing, and beyond all numbers.
+        // Almost 0, and beyond all floats.
         assert_eq!(ahead(sign * power(-1000), power(1000)), 0.0);
         assert_eq!(ahead(sign * power(1000), power(-1000)), sign * f64::INFINITY);
     }
@@ -30,18 +30,18 @@ fn distances_of_all_sizes_are_rounded_once() {
 fn ends_belong_to_the_interval() {
     let third = |interval| distance(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::NEG_Z, DVec3::Z * 3.0, interval);
     let nearest = 1.0 / 3.0;
-    // The double is below the third.
+    // The nearest double is below 1/3.
     assert_eq!(third([nearest, 1.0]), Some(nearest));
     assert_eq!(third([0.0, nearest]), None);
     assert_eq!(third([nearest.next_up(), 1.0]), None);
     assert_eq!(third([0.0, nearest.next_up()]), Some(nearest));
-    // The float is above it.
+    // The nearest float is above 1/3.
     let third = |interval| distance(&[DVec3::ZERO, DVec3::X, DVec3::Y], DVec3::NEG_Z, DVec3::Z * 3.0, interval);
     let nearest = 1.0f32 / 3.0;
     assert_eq!([third([nearest, 1.0]), third([0.0, nearest])], [None, Some(nearest)]);
 }
 
-/// Hits at middles between floats, exactly and all but: nearer than a quotient of doubles shows.
+/// Hits exactly at midpoints between floats, or so close that a quotient of doubles does not show the difference.
 #[test]
 fn ties_of_floats_go_to_even() {
     for odd in [0, 1, 2, 3u32] {
@@ -71,7 +71,7 @@ fn sum(products: &[[f64; 3]]) -> Accumulator {
     sum
 }
 
-/// A number of some digits, or a whole one, times a power of two.
+/// Draws a number of some digits, or an integer, times a power of two.
 fn double(exponents: std::ops::Range<i32>) -> impl Strategy<Value = f64> {
     let digits = prop_oneof![-1.0..1.0f64, (-9..9i8).prop_map(f64::from), (0..1i64 << 40).prop_map(|x| x as f64)];
     (digits, exponents).prop_map(|(digits, exponent)| digits * 2f64.powi(exponent))
@@ -82,7 +82,7 @@ fn products(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Vec<[f64; 
     prop::collection::vec([factor(), factor(), factor()], 1..4)
 }
 
-/// Whether the first digits tell: then they tell what all do.
+/// Returns whether the first digits decide. If so, checks that all digits agree.
 fn tells<R: Real>(ratio: &Ratio<'_>) -> bool {
     ratio.nearest::<R>().inspect(|&t| assert_eq!(t, R::nearest_to(&ratio.fraction()))).is_some()
 }
@@ -97,7 +97,7 @@ proptest! {
         tells::<f64>(&ratio);
     }
 
-    /// Of numbers with few digits they tell all, ties among them.
+    /// For numbers with few digits they decide all cases, including ties.
     #[test]
     fn first_digits_tell_short_quotients(
         top in -1i64 << 52..1i64 << 52,
@@ -114,7 +114,7 @@ proptest! {
     }
 }
 
-/// 2^exponent, if there is one, with a sign.
+/// Returns 2^exponent with a sign, if there is an exponent, and otherwise 0.
 fn nudge(exponent: Option<i32>, is_negative: bool) -> f64 {
     exponent.map_or(0.0, |exponent| if is_negative { -2f64.powi(exponent) } else { 2f64.powi(exponent) })
 }
@@ -122,8 +122,8 @@ fn nudge(exponent: Option<i32>, is_negative: bool) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
-    /// Quotients that are middles between floats, or all but: what makes the difference is in any of the limbs, of what
-    /// is divided or of the divisor. [EXACT-8]
+    /// Quotients that are midpoints between floats, or almost. The difference is in any limb of the dividend or of the
+    /// divisor. [EXACT-8]
     #[test]
     fn first_digits_tell_no_tie_that_is_none(
         m in 1i64 << 52..1i64 << 53,
@@ -131,7 +131,7 @@ proptest! {
         divisor in prop_oneof![Just(1), (1..1i64 << 20)],
         nudges in [(prop::option::of(-400..0i32), any::<bool>()), (prop::option::of(-400..0i32), any::<bool>())],
     ) {
-        // Of single precision it is 2 m + 1 with less digits.
+        // In single precision it is 2 m + 1 with fewer digits.
         let (m, divisor) = (if is_single { m >> 29 } else { m } as f64, divisor as f64);
         let [top, det] = nudges.map(|(exponent, is_negative)| nudge(exponent, is_negative));
         let top = sum(&[[m, 2.0, divisor], [divisor, 1.0, 1.0], [top, 1.0, 1.0]]);
@@ -141,7 +141,7 @@ proptest! {
     }
 }
 
-/// A middle between floats, and what is all but one: beyond the first digits.
+/// A midpoint between floats, and a number that differs from it only after the first digits.
 #[test]
 fn first_digits_do_not_tell_what_is_beyond_them() {
     let middle = 2f64.powi(60) + 2f64.powi(36);
@@ -154,7 +154,7 @@ fn first_digits_do_not_tell_what_is_beyond_them() {
     assert_eq!(zero.nearest::<f64>().map(f64::to_bits), Some(0));
 }
 
-/// What is beyond all numbers is told from the first unit on that surely is.
+/// Overflow is certain from the first unit on that is surely beyond all floats.
 #[test]
 fn first_digits_tell_what_is_beyond_all_numbers() {
     let power = |exponent: i32| 2f64.powi(exponent);

@@ -1,7 +1,7 @@
 use super::*;
 use crate::geom::Aabb;
 
-/// Whether single precision can tell that a right triangle with legs of length `e` along x and y is missed.
+/// Returns whether single precision can prove a miss of a right triangle with legs of length `e` along x and y.
 fn misses(e: f32, origin: [f32; 3], direction: Vec3) -> bool {
     let triangle = Triangle([Vec3::ZERO, Vec3::X * e, Vec3::Y * e]);
     let ray = Ray::new(origin.into(), direction).expect("a ray");
@@ -23,7 +23,7 @@ fn a_miss_is_certain_beyond_the_bound() {
     }
 }
 
-/// Of tiny triangles it is certain where it is of edges of 2^-60. [EXACT-5]
+/// Tiny triangles have the bound of edges of 2^-60. [EXACT-5]
 #[test]
 fn edges_count_as_if_they_were_no_smaller() {
     let beside = 39.0 * 2f32.powi(-14);
@@ -46,7 +46,7 @@ fn each_edge_is_seen_from_either_side() {
     }
 }
 
-/// Beyond 2^40 it might overflow, and tells nothing. [EXACT-5]
+/// Beyond 2^40 it might overflow, and decides nothing. [EXACT-5]
 #[test]
 fn all_that_cannot_overflow_is_asked() {
     let most = 2f32.powi(40);
