@@ -60,32 +60,6 @@ fn the_files_are_as_made() {
     assert!(std::env::var_os("UPDATE").is_some() || Suite::shipped().unwrap() == *suite);
 }
 
-/// Prefixes of ids of cases that are newer than the table. The next run of `spec/suite/peers.py` adds their rows and
-/// empties this list.
-const NOT_IN_TABLE: [&str; 21] = [
-    "watertight/octahedron-ends",
-    "watertight/octahedron-behind",
-    "watertight/cube-ends",
-    "watertight/cube-edges",
-    "watertight/ball-32-ends",
-    "parity/octahedron-ends",
-    "parity/octahedron-behind",
-    "parity/cube-ends",
-    "parity/cube-edges",
-    "parity/ball-32-ends",
-    "ulp-8/full",
-    "ulp-8/ends",
-    "ulp-8/tiny",
-    "ulp-8/huge",
-    "ulp-256/full",
-    "ulp-256/ends",
-    "ulp-256/tiny",
-    "ulp-256/huge",
-    "exact/slab-",
-    "exact/beside-edges",
-    "exact/triangle-2^-15",
-];
-
 /// `spec/suite/peers.py` generates the table. This test does not run other ray tracers.
 #[test]
 fn the_table_of_other_ray_tracers_has_each_case() {
@@ -93,11 +67,7 @@ fn the_table_of_other_ray_tracers_has_each_case() {
     let text = std::fs::read_to_string(root().join("PEERS.md")).unwrap();
     let rows: BTreeSet<_> = text.lines().filter_map(|line| line.strip_prefix("| `ray/")?.split('`').next()).collect();
     let cases = suite.cases().filter_map(|(_, case)| case.id.strip_prefix("ray/"));
-    let (newer, older): (Vec<_>, Vec<_>) = cases
-        .filter(|id| !id.starts_with("invalid/"))
-        .partition(|id| NOT_IN_TABLE.iter().any(|start| id.starts_with(start)));
-    assert_eq!(rows, BTreeSet::from_iter(older));
-    assert!(NOT_IN_TABLE.iter().all(|start| newer.iter().any(|id| id.starts_with(start))), "{newer:?}");
+    assert_eq!(rows, cases.filter(|id| !id.starts_with("invalid/")).collect());
 }
 
 /// The ids of withdrawn cases are never used again, and their reasons name existing cases.
