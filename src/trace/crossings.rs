@@ -3,15 +3,15 @@
 use std::cmp::Ordering;
 use std::collections::HashSet;
 
+use super::Hit;
 use super::leaf_primitives::{LeafFilter, LeafPrimitives};
 use super::prepared_ray::PreparedRay;
+use super::query::binary_query;
 use super::winding::vector;
-use super::{BoxQuery, Hit};
 use crate::bvh::Bvh;
 use crate::geom::kernel::{Exact, Exact64, Parity, Real};
 use crate::geom::slabs::{Directed, Slabs64};
-use crate::geom::{Aabb, Kernel, Once, Ray, Real as _, Region, Slabs, Vector as _};
-use crate::order::{Descent, Flow, Pruned, Visitor};
+use crate::geom::{Kernel, Once, Ray, Real as _, Region, Slabs, Vector as _};
 use crate::tree::Node;
 
 /// All hits of a ray, exact: every closed triangle that it meets, edges and corners included. `[EXACT-1]`
@@ -101,30 +101,7 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> AllHitsQuery<'a, K, B, H> {
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for AllHitsQuery<'_, K, B> {
-    #[inline]
-    fn inner(&mut self, node: Node) -> Descent {
-        self.cast.inner(node)
-    }
-
-    #[inline]
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.meet(node);
-        Flow::Continue
-    }
-}
-
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for AllHitsQuery<'_, K, B> {}
-
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for AllHitsQuery<'_, K, B> {
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.cast.touches(aabb)
-    }
-
-    fn slot(&self, node: Node) -> usize {
-        self.cast.slot(node)
-    }
-}
+binary_query!([K: Kernel, B: Slabs<Vector = K::Vector>] AllHitsQuery<'_, K, B>, cast.inner);
 
 /// Counts how often a ray crosses a closed mesh, exact: each crossing once, also at edges and corners, and not where
 /// the ray only touches. `[PARITY-1]`
@@ -228,30 +205,7 @@ impl<'a, K: Parity, B, H: LeafPrimitives<K::Shape>> Crossings<'a, K, B, H> {
     }
 }
 
-impl<K: Parity, B: Slabs<Vector = K::Vector>> Visitor for Crossings<'_, K, B> {
-    #[inline]
-    fn inner(&mut self, node: Node) -> Descent {
-        self.cast.inner(node)
-    }
-
-    #[inline]
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.meet(node);
-        Flow::Continue
-    }
-}
-
-impl<K: Parity, B: Slabs<Vector = K::Vector>> Pruned for Crossings<'_, K, B> {}
-
-impl<K: Parity, B: Slabs<Vector = K::Vector>> BoxQuery for Crossings<'_, K, B> {
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.cast.touches(aabb)
-    }
-
-    fn slot(&self, node: Node) -> usize {
-        self.cast.slot(node)
-    }
-}
+binary_query!([K: Parity, B: Slabs<Vector = K::Vector>] Crossings<'_, K, B>, cast.inner);
 
 /// Returns whether a point is on a triangle with an area. The triangle's plane is not parallel to all axes, so a ray of
 /// length 0 along one of them hits it.

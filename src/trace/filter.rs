@@ -4,11 +4,11 @@ use std::fmt;
 
 use super::leaf_primitives::{LeafFilter, LeafPrimitives};
 use super::prepared_ray::PreparedRay;
-use super::{BoxQuery, Hit, RayQueries};
+use super::query::binary_query;
+use super::{Hit, RayQueries};
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
-use crate::geom::{Aabb, Kernel, Ray, Slabs, Vector};
-use crate::order::{Descent, Flow, Pruned, Visitor};
+use crate::geom::{Kernel, Ray, Slabs, Vector};
 use crate::tree::Node;
 
 /// Chooses the hits that count, by triangle and by hit. [`Filterable::filtered`] applies it to a tracer. `[FILTER-1]`
@@ -135,12 +135,16 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> FilteredQuery<'a, K, B, H> {
         self.best.map(|(hit, _)| hit)
     }
 
-    /// The ray, unless nothing is left to be found.
+    /// Returns the ray, unless nothing is left to find.
     pub(super) fn pending(&self) -> Option<&PreparedRay<'a, K, B, H>> {
-        (!self.is_any || self.best.is_none()).then_some(&self.cast)
+        (!self.is_done()).then_some(&self.cast)
     }
 
-    /// The filter comes last, so that it is called for few hits: for those that come before the best one.
+    fn is_done(&self) -> bool {
+        self.is_any && self.best.is_some()
+    }
+
+    /// The filter comes last, so it is called only for the hits that come before the best one.
     #[inline]
     pub(super) fn meet(&mut self, leaf: Node)
     where
@@ -167,30 +171,7 @@ impl<'a, K: Kernel, B, H: LeafPrimitives<K::Shape>> FilteredQuery<'a, K, B, H> {
     }
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for FilteredQuery<'_, K, B, Bvh<K::Shape>> {
-    #[inline]
-    fn inner(&mut self, node: Node) -> Descent {
-        self.cast.inner(node)
-    }
-
-    #[inline]
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.meet(node);
-        if self.pending().is_some() { Flow::Continue } else { Flow::Stop }
-    }
-}
-
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for FilteredQuery<'_, K, B, Bvh<K::Shape>> {}
-
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for FilteredQuery<'_, K, B, Bvh<K::Shape>> {
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.cast.touches(aabb)
-    }
-
-    fn slot(&self, node: Node) -> usize {
-        self.cast.slot(node)
-    }
-}
+binary_query!([K: Kernel, B: Slabs<Vector = K::Vector>] FilteredQuery<'_, K, B, Bvh<K::Shape>>, cast.inner, until is_done);
 
 impl<R> fmt::Debug for Filter<'_, R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

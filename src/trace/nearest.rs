@@ -7,10 +7,10 @@ pub use several::NearestPoints;
 use glam::Vec3;
 
 use super::leaf_primitives::LeafPrimitives;
-use super::query::BoxQuery;
+use super::query::binary_query;
 use crate::bvh::{Bvh, BvhNode};
 use crate::geom::{Aabb, Ball, Measure, Real, Triangle, Vector};
-use crate::order::{Descent, Flow, Pruned, Repeatable, Side, Visitor};
+use crate::order::{Descent, Repeatable, Side};
 use crate::tree::{Node, Topology};
 
 /// The point of a mesh nearest to a query point.
@@ -105,30 +105,9 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
     }
 }
 
-impl<V: Vector> Visitor for NearestPoint<'_, Bvh<Triangle<V>>, V> {
-    fn inner(&mut self, node: Node) -> Descent {
-        self.around.descend(node)
-    }
-
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.meet(node);
-        Flow::Continue
-    }
-}
-
-impl<V: Vector> Pruned for NearestPoint<'_, Bvh<Triangle<V>>, V> {}
+binary_query!([V: Vector] NearestPoint<'_, Bvh<Triangle<V>>, V>, around.descend);
 
 impl<V: Vector> Repeatable for NearestPoint<'_, Bvh<Triangle<V>>, V> {}
-
-impl<V: Vector> BoxQuery for NearestPoint<'_, Bvh<Triangle<V>>, V> {
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.around.touches(aabb)
-    }
-
-    fn slot(&self, node: Node) -> usize {
-        self.around.bvh.slot(node)
-    }
-}
 
 /// A ball around a point. It shrinks as nearer triangles are found.
 #[derive(Clone, Debug)]
@@ -247,5 +226,9 @@ impl<V: Vector> Around<'_, Bvh<Triangle<V>>, V> {
 
     fn touches(&self, aabb: &Aabb) -> bool {
         self.to_box(aabb) <= self.limit.distance
+    }
+
+    fn slot(&self, node: Node) -> usize {
+        self.bvh.slot(node)
     }
 }

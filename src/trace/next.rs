@@ -5,11 +5,11 @@ use std::cmp::Ordering;
 use super::Hit;
 use super::leaf_primitives::{LeafFilter, LeafPrimitives};
 use super::prepared_ray::PreparedRay;
-use super::query::BoxQuery;
+use super::query::binary_query;
 use crate::bvh::Bvh;
 use crate::geom::kernel::Real;
-use crate::geom::{Aabb, Kernel, Ray, Real as _, Slabs, Vector};
-use crate::order::{Descent, Flow, Pruned, Repeatable, Visitor};
+use crate::geom::{Kernel, Ray, Real as _, Slabs, Vector};
+use crate::order::Repeatable;
 use crate::tree::Node;
 
 /// The state of a ray that searches a hierarchy `H` for the first hit after a given one, in the order of exact distance
@@ -111,29 +111,6 @@ fn order<K: Kernel, H: LeafPrimitives<K::Shape>>(bvh: &H, kernel: &K, a: &Met, b
     kernel.order((&bvh.shape(a.place), a.prim), (&bvh.shape(b.place), b.prim))
 }
 
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Visitor for NextHitQuery<'_, K, B> {
-    #[inline]
-    fn inner(&mut self, node: Node) -> Descent {
-        self.cast.inner(node)
-    }
-
-    #[inline]
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.meet(node);
-        Flow::Continue
-    }
-}
-
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> Pruned for NextHitQuery<'_, K, B> {}
+binary_query!([K: Kernel, B: Slabs<Vector = K::Vector>] NextHitQuery<'_, K, B>, cast.inner);
 
 impl<K: Kernel, B: Slabs<Vector = K::Vector>> Repeatable for NextHitQuery<'_, K, B> {}
-
-impl<K: Kernel, B: Slabs<Vector = K::Vector>> BoxQuery for NextHitQuery<'_, K, B> {
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.cast.touches(aabb)
-    }
-
-    fn slot(&self, node: Node) -> usize {
-        self.cast.slot(node)
-    }
-}

@@ -54,6 +54,40 @@ pub trait BoxQuery: Pruned {
     }
 }
 
+/// Implements a query of binary hierarchies that tests boxes by one of its fields and leaves by `meet`.
+macro_rules! binary_query {
+    ([$($generic:tt)*] $query:ty, $field:ident.$inner:ident $(, until $is_done:ident)?) => {
+        impl<$($generic)*> $crate::order::Visitor for $query {
+            #[inline]
+            fn inner(&mut self, node: $crate::tree::Node) -> $crate::order::Descent {
+                self.$field.$inner(node)
+            }
+
+            #[inline]
+            fn leaf(&mut self, node: $crate::tree::Node) -> $crate::order::Flow {
+                self.meet(node);
+                $(if self.$is_done() {
+                    return $crate::order::Flow::Stop;
+                })?
+                $crate::order::Flow::Continue
+            }
+        }
+
+        impl<$($generic)*> $crate::order::Pruned for $query {}
+
+        impl<$($generic)*> $crate::trace::BoxQuery for $query {
+            fn touches(&self, aabb: &$crate::geom::Aabb) -> bool {
+                self.$field.touches(aabb)
+            }
+
+            fn slot(&self, node: $crate::tree::Node) -> usize {
+                self.$field.slot(node)
+            }
+        }
+    };
+}
+pub(super) use binary_query;
+
 /// A query with both node tests in one type, for traversals that are selected at run time: traversals that test a node
 /// at its own visit find its box in a table.
 #[derive(Clone, Debug)]

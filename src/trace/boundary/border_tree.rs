@@ -2,19 +2,19 @@
 //!
 //! # Idea
 //!
-//! A border consists of loops. Let a loop be in a ball around c. The triangles from c to its edges are a surface in that
-//! ball with the same border. If the ray from q along e misses the ball, the loop's fan from -e is the solid angle of this
-//! surface: the integral of (x - q)·dA / |x - q|³. At a distance, its Taylor polynomial of second degree around c suffices.
-//! The coefficients are the surface's area vector ∫ dA and its moments ∫ x dA and ∫ x x dA (Barill et al. 2018, "Fast winding
-//! numbers for soups and clouds", use them for all triangles of a mesh). The chord of a path, from its end to its start,
-//! makes it a loop; the fan of the chord is subtracted again.
+//! A border consists of loops. Let a loop be in a ball around c. The triangles from c to its edges are a surface in
+//! that ball with the same border. If the ray from q along e misses the ball, the loop's fan from -e is the solid angle
+//! of this surface: the integral of (x - q)·dA / |x - q|³. At a distance, its Taylor polynomial of second degree around
+//! c suffices. The coefficients are the surface's area vector ∫ dA and its moments ∫ x dA and ∫ x x dA (Barill et al.
+//! 2018, "Fast winding numbers for soups and clouds", use them for all triangles of a mesh). The chord of a path, from
+//! its end to its start, makes it a loop; the fan of the chord is subtracted again.
 //!
 //! # Error
 //!
-//! The k-th derivative of 1/|v| in directions of length 1 is at most k! / |v|^(k+1), because Legendre polynomials are at
-//! most 1. Let d be the distance of c, r the radius of the ball and s = r / d < 1. The omitted terms, of degree k >= 3, add
-//! up to at most ∫ |dA| Σ (k + 1) |x|^k / d^(k+2) <= ∫ |x|² |dA| / d^4 · s (4 - 3s) / (1 - s)². A node is replaced by its
-//! polynomial if this bound is within its part of the remaining tolerance. `[WINDING-3]`
+//! The k-th derivative of 1/|v| in directions of length 1 is at most k! / |v|^(k+1), because Legendre polynomials are
+//! at most 1. Let d be the distance of c, r the radius of the ball and s = r / d < 1. The omitted terms, of degree k >=
+//! 3, add up to at most ∫ |dA| Σ (k + 1) |x|^k / d^(k+2) <= ∫ |x|² |dA| / d^4 · s (4 - 3s) / (1 - s)². A node is
+//! replaced by its polynomial if this bound is within its part of the remaining tolerance. `[WINDING-3]`
 //!
 //! # Cost
 //!
@@ -65,8 +65,8 @@ struct Cubic([f64; 10]);
 /// Most edges of a leaf.
 const LEAF: usize = 4;
 
-/// The part of the remaining tolerance that any node may use. A node with more than this part of the remaining edges may
-/// use that part.
+/// The part of the remaining tolerance that any node may use. A node with more than this part of the remaining edges
+/// may use that part.
 const LARGEST: f64 = 1.0 / 64.0;
 
 /// Distances whose fourth powers neither over- nor underflow.
@@ -84,8 +84,8 @@ impl BorderTree {
         tree
     }
 
-    /// Returns the fan of the border from the opposite of `e`, of length 1, except for the edges passed to `show`. The result
-    /// is a part of all directions, with an error of at most `tolerance`.
+    /// Returns the fan of the border from the opposite of `e`, of length 1, except for the edges passed to `show`. The
+    /// result is a part of all directions, with an error of at most `tolerance`.
     pub(in crate::trace) fn fan(&self, point: DVec3, e: DVec3, tolerance: f64, mut show: impl FnMut(Edge)) -> f64 {
         let (mut sum, mut open) = (0.0, Vec::new());
         open.extend((!self.nodes.is_empty()).then_some(0));
@@ -177,7 +177,8 @@ impl Node {
         node
     }
 
-    /// Returns the part of all directions and the bound of its error, if this is at most `allowed` and the ray misses the ball.
+    /// Returns the part of all directions and the bound of its error, if this is at most `allowed` and the ray misses
+    /// the ball.
     fn seen_from(&self, point: DVec3, e: DVec3, allowed: f64) -> Option<[f64; 2]> {
         let way = self.center - point;
         let square = way.length_squared();
@@ -233,8 +234,8 @@ fn bounds(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[lo, hi], p| [lo.min(p), hi.max(p)])
 }
 
-/// Decomposes a border into loops, in which no vertex occurs twice. Equal numbers of edges begin and end at each vertex: this
-/// holds for the edges of one face, and edges of opposite directions cancel in pairs.
+/// Decomposes a border into loops, in which no vertex occurs twice. Equal numbers of edges begin and end at each
+/// vertex: this holds for the edges of one face, and edges of opposite directions cancel in pairs.
 fn loops(borders: &[Border]) -> Vec<Vec<[u32; 2]>> {
     let mut ways: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     for &Border { ends: [from, to], faces } in borders {

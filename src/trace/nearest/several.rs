@@ -6,11 +6,10 @@ use glam::Vec3;
 
 use super::{Around, Limit, Near};
 use crate::bvh::Bvh;
-use crate::geom::{Aabb, Ball, Real, Triangle, Vector};
-use crate::order::{Descent, Flow, Pruned, Visitor};
-use crate::trace::BoxQuery;
+use crate::geom::{Ball, Real, Triangle, Vector};
 use crate::trace::leaf_primitives::LeafPrimitives;
-use crate::tree::{Node, Topology};
+use crate::trace::query::binary_query;
+use crate::tree::Node;
 
 /// A search for the `k` nearest triangles of a mesh within a radius, exact: the first `k` in the order of
 /// [`NearestPoint`](super::NearestPoint), each once. `[NEAR-2]`
@@ -65,25 +64,4 @@ fn from_rank<R: Real>(rank: u64) -> R {
     R::rounded(f64::from_bits(rank))
 }
 
-impl<V: Vector> Visitor for NearestPoints<'_, Bvh<Triangle<V>>, V> {
-    fn inner(&mut self, node: Node) -> Descent {
-        self.around.descend(node)
-    }
-
-    fn leaf(&mut self, node: Node) -> Flow {
-        self.meet(node);
-        Flow::Continue
-    }
-}
-
-impl<V: Vector> Pruned for NearestPoints<'_, Bvh<Triangle<V>>, V> {}
-
-impl<V: Vector> BoxQuery for NearestPoints<'_, Bvh<Triangle<V>>, V> {
-    fn touches(&self, aabb: &Aabb) -> bool {
-        self.around.touches(aabb)
-    }
-
-    fn slot(&self, node: Node) -> usize {
-        self.around.bvh.slot(node)
-    }
-}
+binary_query!([V: Vector] NearestPoints<'_, Bvh<Triangle<V>>, V>, around.descend);
