@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::str::FromStr;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use stackless_bvh::generate::procedural::View;
 use stackless_bvh::geom::Ray;
 use stackless_scene::read_text;
@@ -150,11 +150,9 @@ impl Options {
 }
 
 impl Camera {
-    /// To the right, upwards and backwards, of length 1.
+    /// Forward, right and up, of length 1.
     pub(crate) fn axes(&self) -> [Vec3; 3] {
-        let back = (self.view.eye - self.view.target).try_normalize().unwrap_or(Vec3::Z);
-        let right = self.view.up.cross(back).try_normalize().unwrap_or(back.any_orthonormal_vector());
-        [right, back.cross(right), back]
+        self.view.frame().map(DVec3::as_vec3)
     }
 
     /// The ray through a place in a pixel, whose upper left corner is 0, 0. Pixels are counted row by row.

@@ -62,9 +62,6 @@ pub(crate) struct Args {
     seed: u64,
 }
 
-/// Samples of a pixel that smooth edges.
-const FEW: u32 = 4;
-
 /// The share of the pixels that the scale covers: a few rays cost many times what all others do.
 const SCALE: f64 = 0.99;
 
@@ -93,9 +90,8 @@ struct Drawn {
 
 impl Job {
     fn of(args: &Args, scene: &Scene) -> Self {
-        let job = Self::plain(args.kind, args.camera.of(scene), args.seed);
-        let spp = if args.heatmap.is_some() && job.spp == FEW { 1 } else { job.spp };
-        Self { heat: args.heatmap, methods: args.method.clone(), spp: args.spp.unwrap_or(spp), ..job }
+        let job = Self::new(args.kind, args.heatmap, args.camera.of(scene), args.seed);
+        Self { methods: args.method.clone(), spp: args.spp.unwrap_or(job.spp), ..job }
     }
 
     /// Draws it into a file, over a tree that suits the traversals if none is named.
@@ -109,16 +105,20 @@ impl Job {
         Ok(true)
     }
 
-    /// A picture without a heat map.
-    pub(crate) fn plain(rays: Rays, camera: Camera, seed: u64) -> Self {
-        let spp = if matches!(rays, Rays::Ao | Rays::Diffuse) { 16 } else { FEW };
-        Self { camera, rays, spp, heat: None, methods: Vec::new(), continues: false, seed }
+    /// Prepares a picture, or a heat map, with the usual number of samples.
+    pub(crate) fn new(rays: Rays, heat: Option<Heat>, camera: Camera, seed: u64) -> Self {
+        let spp = match rays {
+            Rays::Ao | Rays::Diffuse => 16,
+            Rays::Primary | Rays::Normals if heat.is_some() => 1,
+            Rays::Primary | Rays::Normals => 4,
+        };
+        Self { camera, rays, spp, heat, methods: Vec::new(), continues: false, seed }
     }
 
     fn draw(&self, scene: &Scene, bvh: &Bvh) -> Result<Drawn, Box<dyn std::error::Error>> {
         let tracer = Tracer::new(WideBvh::of(bvh)?);
         let &Self { camera, rays, spp, seed, .. } = self;
-        let samples = Samples { scene, bvh, tracer, camera, rays, spp, seed };
+        let samples = Samples { scene, bvh, tracer, camera, axes: camera.axes(), rays, spp, seed };
         match self.heat {
             Some(heat) => self.heat_map(&samples, heat),
             None => Ok(self.shaded(&samples)),

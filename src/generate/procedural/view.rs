@@ -57,18 +57,23 @@ impl View {
         let mut aside = right * ((right_edge - left) / 2.0) + up * ((upper - lower) / 2.0);
         // Along the other edge there is room. The middle of its bounds is not the middle of the image, which depends on the
         // depths of both ends.
-        for axis in [right, up].repeat(4) {
-            let mut ends = [[f64::INFINITY, 1.0], [f64::NEG_INFINITY, 1.0]];
+        for _ in 0..4 {
+            let mut ends = [[[f64::INFINITY, 1.0], [f64::NEG_INFINITY, 1.0]]; 2];
             for v in corners().map(|v| v.as_dvec3() - target.as_dvec3() - aside) {
                 let depth = forward.dot(v) + back;
-                let x = axis.dot(v) / depth;
-                ends = [
-                    if x < ends[0][0] { [x, depth] } else { ends[0] },
-                    if x > ends[1][0] { [x, depth] } else { ends[1] },
-                ];
+                for ([least, most], axis) in ends.iter_mut().zip([right, up]) {
+                    let x = axis.dot(v) / depth;
+                    if x < least[0] {
+                        *least = [x, depth];
+                    }
+                    if x > most[0] {
+                        *most = [x, depth];
+                    }
+                }
             }
-            let [[least, of_least], [most, of_most]] = ends;
-            aside += axis * ((least + most) / (1.0 / of_least + 1.0 / of_most));
+            for ([[least, of_least], [most, of_most]], axis) in ends.into_iter().zip([right, up]) {
+                aside += axis * ((least + most) / (1.0 / of_least + 1.0 / of_most));
+            }
         }
         let middle = target.as_dvec3() + aside;
         view.eye = (middle - forward * back).as_vec3();
@@ -98,7 +103,7 @@ impl View {
     }
 
     /// Returns forward, right and up: orthogonal vectors of unit length.
-    fn frame(&self) -> [DVec3; 3] {
+    pub fn frame(&self) -> [DVec3; 3] {
         let forward = (self.target.as_dvec3() - self.eye.as_dvec3()).try_normalize().unwrap_or(DVec3::NEG_Z);
         let right = forward.cross(self.up.as_dvec3()).try_normalize().unwrap_or(forward.any_orthonormal_vector());
         [forward, right, right.cross(forward)]

@@ -55,8 +55,8 @@ pub(crate) fn run(args: &Args) -> Outcome {
         Figure::Pruning => (Rays::Primary, Heat::Postponed, vec![Method::Hashed, Method::HashedDisjoint]),
         Figure::Continuing => (Rays::Diffuse, Heat::Nodes, vec![Method::Hashed]),
     };
-    let plain = Job::plain(rays, args.camera.of(&scene), args.seed);
-    let (spp, continues) = (args.spp.unwrap_or(plain.spp), args.figure == Figure::Continuing);
-    let job = Job { heat: Some(heat), methods, continues, spp, ..plain };
+    let job = Job::new(rays, Some(heat), args.camera.of(&scene), args.seed);
+    let (spp, continues) = (args.spp.unwrap_or(job.spp), args.figure == Figure::Continuing);
+    let job = Job { spp, methods, continues, ..job };
     job.run(&scene, args.build, &args.output)
 }

@@ -39,6 +39,8 @@ pub(super) struct Samples<'a> {
     pub(super) bvh: &'a Bvh,
     pub(super) tracer: Tracer,
     pub(super) camera: Camera,
+    /// Of the camera: forward, right and up.
+    pub(super) axes: [Vec3; 3],
     pub(super) rays: Rays,
     /// Of a pixel.
     pub(super) spp: u32,
@@ -125,8 +127,8 @@ impl Samples<'_> {
     fn matt(&self, ray: &Ray) -> Vec3 {
         let Some(hit) = self.tracer.closest(ray) else { return BACKGROUND };
         let Some(normal) = self.normal(ray, &hit) else { return Vec3::ZERO };
-        let [right, up, back] = self.camera.axes();
-        let lamp = normal.dot((back * 1.2 + up * 1.4 - right * 0.8).normalize()).max(0.0);
+        let [forward, right, up] = self.axes;
+        let lamp = normal.dot((up * 1.4 - right * 0.8 - forward * 1.2).normalize()).max(0.0);
         let sky = 0.5 + 0.5 * normal.dot(up);
         MATT * (WARM * lamp + COOL * sky).min(Vec3::ONE)
     }

@@ -142,6 +142,12 @@ fn figures_are_drawn() {
         assert_eq!(run.stdout.lines().count(), panels, "{run:?}");
         assert!(std::fs::read(&png).unwrap().starts_with(b"\x89PNG"));
     }
+    let [usual, one, four] = ["", "--spp 1", "--spp 4"].map(|samples| {
+        let png = folder.path("figure.png");
+        lab(&format!("figure 1 --size 24 {samples}"), &[Path::new("strands"), Path::new("-o"), &png]).passes();
+        std::fs::read(&png).unwrap()
+    });
+    assert!(usual == one && usual != four);
 }
 
 #[test]
