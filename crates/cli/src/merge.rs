@@ -1,13 +1,13 @@
 //! `stackless merge`: records of parts, added up.
 
 mod outside;
-mod unique;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde_json::Value;
 use stackless_scene::read_text;
+use stackless_suite::parse_json;
 
 use crate::Outcome;
 use crate::check::Summary;
@@ -18,7 +18,6 @@ use crate::plots::{Stretch, plot_campaign};
 use crate::record::{Counts, Part, Record, Run, say_verdict};
 use crate::stress::StressCounts;
 use outside::{FuzzCounts, MachineCounts, MutantCounts};
-use unique::Unique;
 
 /// Add up the records of all parts of a run.
 ///
@@ -54,8 +53,7 @@ pub(crate) fn run(args: &Args, commands: &[Command]) -> Outcome {
             let what = if error.is_data() { "no record" } else { "not JSON" };
             format!("{}: {what}: {error}; expected a record, as --json writes it", path.display())
         };
-        let Unique(value) = serde_json::from_str(&text).map_err(refused)?;
-        Ok((path.display().to_string(), value))
+        Ok((path.display().to_string(), parse_json(&text).map_err(refused)?))
     };
     let records = args.records.iter().map(read).collect::<Result<Vec<(String, Value)>, String>>()?;
     let command_of = |value: &Value| value.pointer("/run/command").and_then(Value::as_str).map(str::to_owned);

@@ -36,6 +36,7 @@ pub use protocol::{Answer, Hello, Implementation, Limits, PROTOCOL, Reply, WideL
 pub use report::{CaseResult, Outcome, Report};
 pub use runner::{RunError, Runner};
 pub use scripted::{ScriptedSearch, wide_events};
+pub use text::parse_json;
 pub use waivers::{Waiver, WaiverError, Waivers};
 pub use walk::WalkError;
 pub use withdrawn::Withdrawn;

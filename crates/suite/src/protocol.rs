@@ -6,7 +6,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::text::{object, parse, read_line};
+use super::text::{object, parse_json, read_line};
 use super::{Feature, Level, Profile, SuiteCase};
 
 /// Version of the protocol.
@@ -44,7 +44,7 @@ pub struct Hello {
 impl Hello {
     /// Parses a line in the format of `schema/hello.json`.
     pub(super) fn parse(line: &str) -> serde_json::Result<Self> {
-        let hello = parse(line)?;
+        let hello = parse_json(line)?;
         let limits = hello.get("limits");
         let wide = limits.and_then(|limits| limits.get("wide"));
         let objects: Option<Vec<_>> =
@@ -120,7 +120,7 @@ pub struct Reply {
 impl Reply {
     /// Parses a line in the format of `schema/reply.json`.
     pub(super) fn parse(line: &str) -> serde_json::Result<Self> {
-        let reply = parse(line)?;
+        let reply = parse_json(line)?;
         if !reply.is_object() {
             return Err(serde_json::Error::custom("expected an object"));
         }

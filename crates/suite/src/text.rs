@@ -52,12 +52,22 @@ pub(super) fn read_line(input: &mut impl BufRead) -> io::Result<Option<String>> 
     String::from_utf8(bytes).map(Some).map_err(|error| invalid(format!("a line that is not UTF-8: {error}")))
 }
 
-/// Parses a line of JSON without duplicate keys.
-pub(super) fn parse(line: &str) -> serde_json::Result<Value> {
-    serde_json::from_str::<Strict>(line).map(|Strict(value)| value)
+/// Parses JSON whose objects have no duplicate keys. (`serde_json` would accept them and use the last value.)
+///
+/// ```
+/// use stackless_suite::parse_json;
+///
+/// assert_eq!(parse_json("[1]")?, serde_json::json!([1]));
+/// assert!(parse_json(r#"{"a": 1, "a": 1}"#).unwrap_err().to_string().starts_with("the key `a` stands twice"));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+///
+/// # Errors
+/// [`serde_json::Error`]: of syntax, or of data for a duplicate key.
+pub fn parse_json(text: &str) -> serde_json::Result<Value> {
+    serde_json::from_str::<Strict>(text).map(|Strict(value)| value)
 }
 
-/// A value whose objects have no duplicate keys. (`serde_json` would accept them and use the last value.)
 struct Strict(Value);
 
 impl<'de> Deserialize<'de> for Strict {
@@ -110,9 +120,10 @@ impl<'de> Visitor<'de> for StrictVisitor {
     fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Value, A::Error> {
         let mut map = Map::new();
         while let Some((name, Strict(value))) = fields.next_entry::<String, _>()? {
-            if map.insert(name, value).is_some() {
-                return Err(A::Error::custom("a key stands twice"));
+            if map.contains_key(&name) {
+                return Err(A::Error::custom(format_args!("the key `{}` stands twice", Shown(name))));
             }
+            map.insert(name, value);
         }
         Ok(Value::Object(map))
     }
