@@ -116,7 +116,7 @@ together() {
     ' "$1" | sort
 }
 
-# rechecked FOLDER NAME FILE...: the compiled files once more, by Rocq's independent checker. What they load is taken as it is.
+# rechecked FOLDER NAME FILE...: checks the compiled files again with Rocq's independent checker, and trusts the files that they load.
 rechecked() {
     local folder=$1 name=$2 begin=$SECONDS
     shift 2

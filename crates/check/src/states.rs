@@ -33,7 +33,7 @@ impl Pauses<'_> {
         let tree = &self.case.tree;
         let (mut trace, mut search) = (Trace::default(), self.search());
         let go_on = GoOn { from: Start::State(paused.clone()), search: &mut search, trace: &mut trace };
-        // The state is too deep for the word, or lacks what the traversal needs.
+        // The state is too deep for the word, or incomplete for the traversal.
         if !matches!(self.tables.with_cursor::<W, _>(method, go_on), Ok(Ok(()))) {
             return Ok(false);
         }

@@ -158,13 +158,13 @@ fn check_filtered<V: Vector>(
     all: &[Bits],
 ) -> Result<(), TreeFault> {
     let accepts_triangle = |prim: u32| prim as usize % 3 != number % 4;
-    let accepts_hit = |hit: &Hit<V::Real>| hit.u.into() <= [0.2, 0.6, 1.0][number % 3];
-    let (by_triangle, by_hit) = (Filter::ALL.triangles(&accepts_triangle), Filter::ALL.hits(&accepts_hit));
-    for (filter, has) in
-        [(by_triangle, [true, false]), (by_hit, [false, true]), (by_triangle.hits(&accepts_hit), [true; 2])]
-    {
+    let accepts_u = |u: f64| u <= [0.2, 0.6, 1.0][number % 3];
+    let accepts_hit = |hit: &Hit<V::Real>| accepts_u(hit.u.into());
+    for [by_triangle, by_hit] in [[true, false], [false, true], [true, true]] {
+        let filter = if by_triangle { Filter::ALL.triangles(&accepts_triangle) } else { Filter::ALL };
+        let filter = if by_hit { filter.hits(&accepts_hit) } else { filter };
         let is_accepted = |&&(prim, [_, u, _]): &&Bits| {
-            (!has[0] || accepts_triangle(prim)) && (!has[1] || f64::from_bits(u) <= [0.2, 0.6, 1.0][number % 3])
+            (!by_triangle || accepts_triangle(prim)) && (!by_hit || accepts_u(f64::from_bits(u)))
         };
         let expected: Vec<_> = all.iter().filter(is_accepted).copied().collect();
         let tracer = tracer.filtered(filter);

@@ -1,6 +1,6 @@
-"""The judge: what is wrong with an answer to a case. Nothing is asked here.
+"""Compares answers with the expectations of cases. It runs no program.
 
-`stackless conform` has another one. The lines of hostile.json are held against both.
+`stackless conform` has its own judge. Tests compare both on the lines of hostile.json.
 """
 
 import json
@@ -55,7 +55,7 @@ def elements(it):
 
 
 def read_hello(line):
-    """What a program says of itself. ValueError where it is no hello (schema/hello.json)."""
+    """Parses the hello of a program (schema/hello.json). Raises ValueError for any other line."""
     hello = parse(line)
     if not isinstance(hello, dict) or not alike(hello.get("protocol"), 1) or not isinstance(hello.get("name"), str):
         raise ValueError("expected protocol 1 and a name")

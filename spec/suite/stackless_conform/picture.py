@@ -64,7 +64,7 @@ def number(bits):
 
 
 def tree(asked):
-    """A line for each node: its key, its number, and what the search does there."""
+    """Yields a line for each node: its key, its number, and its part of the search."""
     children, slots = asked["children"], asked.get("slots", 2)
     if levels(children) is None:
         return (f"node {node}: {'leaf' if below is None else below}" for node, below in enumerate(children))

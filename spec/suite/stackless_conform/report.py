@@ -116,7 +116,7 @@ def is_drawn(row):
     return row["id"].rpartition("-")[2].isdigit()
 
 
-# What a field is about, and what only those keep who name the feature.
+# The clauses of each field, and the clauses that need a feature.
 OF_FIELD = {"registers": ("REGISTER-", "UNCLE-", "HASHED-"), "trails": ("TRAIL-", "WIDE-10"), "counters": ("TRAIL-6",)}
 OF_REGISTERS = (*OF_FIELD["registers"], "HASH-3")
 

@@ -1,4 +1,4 @@
-//! What a WebAssembly module without `std` has to bring along.
+//! The panic handler and the allocator of a WebAssembly module without `std`.
 
 use core::alloc::{GlobalAlloc, Layout};
 use core::cell::Cell;
