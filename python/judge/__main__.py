@@ -39,19 +39,21 @@ def main():
         import peers
     else:
         peers = None
-    print("| mesh | points | on it | contains | winding number | signed distance | nearest | undecided | seconds |")
-    print("|---|" + "---:|" * 8, flush=True)
-    rows = []
+    print("| mesh | points | on it | contains | winding number | signed distance | nearest | foot | undecided | seconds |")
+    print("|---|" + "---:|" * 9, flush=True)
+    rows, count = [], 0
     for kind, vertices, faces in made.meshes(arguments.meshes):
         if any(word in kind for word in arguments.kinds):
             points = made.points(vertices, faces, arguments.points, "subnormal" in kind)
-            begin = time.perf_counter()
+            begin, count = time.perf_counter(), count + 1
             scene = Scene(vertices, faces)
-            near = scene.nearest(points)
+            near = scene.nearest(points, details=True)
             truth = Truth(vertices, faces, points, near.distance)
             ours(kind, scene, points, near, truth, begin)
             if peers:
                 rows += peers.judge(kind, vertices, faces, points, truth)
+    if not count:
+        parser.error(f"--kinds: no kind of mesh contains any of {arguments.kinds}")
     if peers:
         peers.table(rows)
 
@@ -59,7 +61,7 @@ def main():
 def ours(kind, scene, points, near, truth, begin):
     """One row: how many answers of this library are wrong."""
     rules = ["winding"] + ["parity"] * scene.is_closed + ["nonzero"] * scene.is_oriented
-    wrong = dict.fromkeys(["contains", "winding", "signed", "nearest"], 0)
+    wrong = dict.fromkeys(["contains", "winding", "signed", "nearest", "foot"], 0)
     windings = scene.winding_number(points)
     off = ~truth.on_mesh
     if scene.is_oriented:
@@ -70,6 +72,8 @@ def ours(kind, scene, points, near, truth, begin):
     is_rounded = truth.is_rounded(near.distance)
     wrong["nearest"] += wrong_of(~is_rounded, True, "nearest", near, points)
     wrong["nearest"] += wrong_of(near.primitive != truth.face, True, "primitive", near, points)
+    for what, is_right in truth.foot(near):
+        wrong["foot"] += wrong_of(~is_right, near.primitive == truth.face, what, near, points)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         for rule in rules:
@@ -169,12 +173,24 @@ class Truth:
         return (ROOT((self.square << 128) // self.over) / (1 << 64 + self.bits)).astype(float)
 
     def is_rounded(self, distances):
-        """Whether each float is the nearest one to the exact distance, of two the even one."""
-        low, high, even = middles(distances)
-        bits = max(bits_of(low), bits_of(high), self.bits)
-        exact = self.square << 2 * (bits - self.bits) + 2
-        low, high = (whole(end, bits) ** 2 * self.over for end in (low, high))
-        return (((low < exact) & (exact < high)) | (even & ((low == exact) | (high == exact)))).astype(bool)
+        """Whether each float is the nearest one to the exact distance."""
+        return is_nearest(self.square, self.over, distances, self.bits, 2)
+
+    def foot(self, near):
+        """Which nearest points, weights, parts and normals are right, on the right faces."""
+        triangles = self.exact.take(self.face)
+        weights, over = triangles.weights(self.points)
+        has_area = triangles.area != 0
+        places = sum(weight * corner for weight, corner in zip(weights, triangles.corners))
+        yield "point", np.all([is_nearest(x, over, f, self.bits) for x, f in zip(places, near.point.T)], axis=0)
+        found = [is_nearest(weight, over, f, 0) for weight, f in zip(weights[1:], near.uv.T)]
+        yield "weights", np.all(found, axis=0) | ~has_area
+        yield "part", (near.place == sum(weight == 0 for weight in weights)) | ~has_area
+        found = [
+            (np.sign(x).astype(int) == np.sign(f)) & is_nearest(x * x, triangles.area, np.abs(f), 0, 2)
+            for x, f in zip(triangles.normal, near.normal.T)
+        ]
+        yield "normal", np.all(found, axis=0) | ~has_area
 
     def sum_angles(self, vertices, faces, points, off):
         """The generalised winding number of points off the mesh: all solid angles (Van Oosterom & Strackee 1983), over
@@ -239,6 +255,29 @@ class Triangles:
             setattr(taken, name, [part[index] for part in value] if is_list else value[index])
         return taken
 
+    def weights(self, q):
+        """Weights of the corners in the nearest points: numerators and denominators."""
+        s = [q - corner for corner in self.corners]
+        # Each edge starts at its corner; the wall of the opposite edge is 0 where a weight is.
+        of_face = [dot(self.walls[i], s[i]) for i in (1, 2, 0)]
+        is_face = (self.area != 0) & np.all([weight >= 0 for weight in of_face], axis=0).astype(bool)
+        zero, best, found = self.area * 0, None, None
+        for i, (edge, length) in enumerate(zip(self.edges, self.lengths)):
+            length = np.where(length == 0, 1, length)
+            along = np.minimum(np.maximum(dot(edge, s[i]), 0), length)
+            way = length * s[i] - along * edge
+            square, over = dot(way, way), length * length
+            weights = [zero, zero, zero]
+            weights[i], weights[(i + 1) % 3] = length - along, along
+            if best is None:
+                best, found = (square, over), [*weights, length]
+            else:
+                less = (square * best[1] < best[0] * over).astype(bool)
+                best = [np.where(less, one, other) for one, other in zip((square, over), best)]
+                found = [np.where(less, one, other) for one, other in zip([*weights, length], found)]
+        *weights, over = (np.where(is_face, one, other) for one, other in zip([*of_face, self.area], found))
+        return weights, over
+
     def squared_distances(self, q):
         """Numerators and denominators: of the face where the foot is inside, else of the nearest edge or corner."""
         inside, best = self.area != 0, None
@@ -257,13 +296,25 @@ class Triangles:
         return np.where(inside, height * height, best[0]), np.where(inside, self.area, best[1])
 
 
-def middles(distances):
+def is_nearest(exact, over, floats, bits, power=1):
+    """Whether each float is the nearest one to a number, of two the even one. `exact / over`, over 2**bits, is the
+    number or its square."""
+    low, high, even = middles(floats)
+    if power == 2:
+        low = np.maximum(low, 0)
+    most = max(bits_of(low), bits_of(high), bits)
+    exact = exact << power * (most - bits + 1)
+    low, high = (whole(end, most) ** power * over for end in (low, high))
+    return (((low < exact) & (exact < high)) | (even & ((low == exact) | (high == exact)))).astype(bool)
+
+
+def middles(floats):
     """Sums of each float and its neighbours, which are twice the middles between them, and whether it is even."""
-    kind = distances.dtype.type
-    below, above = (np.nextafter(distances, kind(end)) for end in (-np.inf, np.inf))
-    low, high = (distances + end.astype(np.longdouble) for end in (below, above))
-    bits = np.abs(distances).view(np.uint32 if kind is np.float32 else np.uint64)
-    return np.maximum(low, 0), high, bits % 2 == 0
+    kind = floats.dtype.type
+    below, above = (np.nextafter(floats, kind(end)) for end in (-np.inf, np.inf))
+    low, high = (floats + end.astype(np.longdouble) for end in (below, above))
+    bits = np.abs(floats).view(np.uint32 if kind is np.float32 else np.uint64)
+    return low, high, bits % 2 == 0
 
 
 def halves(points, rows):
