@@ -39,7 +39,7 @@ def main():
         import peers
     else:
         peers = None
-    print("| mesh | points | on it | contains | winding number | signed distance | nearest | foot | undecided | seconds |")
+    print("| mesh | points | on it | contains | winding | signed distance | nearest | foot | undecided | seconds |")
     print("|---|" + "---:|" * 9, flush=True)
     rows, count = [], 0
     for kind, vertices, faces in made.meshes(arguments.meshes):
