@@ -13,6 +13,7 @@ mod error;
 mod judge;
 mod lookup;
 mod observe;
+mod plain;
 mod ray;
 mod text;
 pub mod wide;
@@ -175,10 +176,10 @@ pub enum By {
     Restart,
 }
 
-/// The data of a page.
-#[derive(Serialize)]
-struct Page<'a> {
-    title: &'a str,
+/// Recorded traversals of a tree: as a page for the browser, or as text.
+#[derive(Clone, Debug, Serialize)]
+pub struct Page {
+    title: String,
     /// Children of each node.
     children: Vec<Option<Vec<u32>>>,
     /// Keys of the nodes in binary, and their names.
@@ -200,28 +201,29 @@ struct Page<'a> {
 
 const TEMPLATE: &str = include_str!("page.html");
 
-/// Builds the page of a case: one self-contained HTML file. It opens with the first of the traversals.
+/// Records traversals of a case. The page opens with the first of them.
 ///
 /// Traversals that do not support this case are omitted, and the page lists the reasons.
-///
 ///
 /// ```
 /// use stackless_explain as explain;
 /// use stackless_bvh::traverse::Method;
 ///
-/// let html = explain::page("an example", &explain::example(), &[Method::Hashed, Method::Stack])?;
-/// assert!(html.starts_with("<!doctype html>"));
+/// let page = explain::page("an example", &explain::example(), &[Method::Hashed, Method::Stack])?;
+/// assert!(page.to_html()?.starts_with("<!doctype html>"));
+/// assert!(page.tree().starts_with("1\n  2\n    4 leaf\n"));
+/// assert!(page.traversals().contains("\n   5  22  key 10110, trail 1000, "));
 /// # Ok::<(), explain::ExplainError>(())
 /// ```
 ///
 /// # Errors
 /// [`ExplainError`], if the tree is too large, a traversal differs from its oracle, or none runs.
-pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<String, ExplainError> {
+pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<Page, ExplainError> {
     let (methods, left_out) = recordings(methods, |method| record(case, method))?;
     let keys = Keys::of(&case.tree);
     let keys: Vec<u128> = (0..case.size()).map(|slot| keys.key(slot)).collect();
-    let page = Page {
-        title,
+    Ok(Page {
+        title: title.to_owned(),
         children: case.tree.to_children().into_iter().map(|pair| pair.map(Vec::from)).collect(),
         keys: keys.iter().map(|key| format!("{key:b}")).collect(),
         names: keys.iter().map(u128::to_string).collect(),
@@ -231,12 +233,15 @@ pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<String, Expl
         clauses: clauses::named(&methods),
         methods,
         left_out,
-    };
-    page.to_html()
+    })
 }
 
-impl Page<'_> {
-    fn to_html(&self) -> Result<String, ExplainError> {
+impl Page {
+    /// Returns one self-contained HTML file.
+    ///
+    /// # Errors
+    /// [`ExplainError::Json`].
+    pub fn to_html(&self) -> Result<String, ExplainError> {
         // Escaped, so that no text can close its element.
         let data = serde_json::to_string(self)?.replace('<', "\\u003c");
         Ok(TEMPLATE.replace("{{data}}", &data))

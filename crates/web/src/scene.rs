@@ -149,6 +149,6 @@ impl Scene {
     pub fn explain(&self, pixel: [usize; 2]) -> Result<String, SceneFault> {
         let ray = self.ray(pixel).ok_or(SceneFault::NoRay)?;
         let title = format!("{}, pixel {},{}", self.name, pixel[0], pixel[1]);
-        Ok(explain::page(&title, &explain::of_ray(&self.bvh, &ray), &USUAL)?)
+        Ok(explain::page(&title, &explain::of_ray(&self.bvh, &ray), &USUAL)?.to_html()?)
     }
 }

@@ -20,14 +20,14 @@ use stackless_check::WideCase;
 pub const USUAL: [Method; 6] =
     [Method::Recorded, Method::Hashed, Method::Trail, Method::Restart0, Method::Restart2, Method::Stack];
 
-/// Builds the page of a search through a wide tree, like [`explain::page`](super::page).
+/// Records traversals of a search through a wide tree, like [`explain::page`](super::page).
 ///
 /// ```
 /// use stackless_explain::wide::{self, USUAL};
 ///
 /// let example = wide::example();
-/// let html = wide::page("an example", &example.tree, &example.search::<true>(), &USUAL)?;
-/// assert!(html.contains("wide-record"));
+/// let page = wide::page("an example", &example.tree, &example.search::<true>(), &USUAL)?;
+/// assert!(page.to_html()?.contains("wide-record"));
 /// # Ok::<(), stackless_explain::ExplainError>(())
 /// ```
 ///
@@ -38,12 +38,12 @@ pub fn page<const A: usize, S: Search<A> + Clone>(
     tree: &Tree<A>,
     search: &S,
     methods: &[Method],
-) -> Result<String, ExplainError> {
+) -> Result<Page, ExplainError> {
     let (methods, left_out) = recordings(methods, |method| record(tree, search, method))?;
     let places = Places::of(tree);
     let numbers = |node| children(tree, node).map(|(_, child)| judge::number(child)).collect();
-    let page = Page {
-        title,
+    Ok(Page {
+        title: title.to_owned(),
         children: tree.nodes().map(|node| (!node.is_leaf()).then(|| numbers(node))).collect(),
         keys: places.keys().map(|key| format!("{key:b}")).collect(),
         names: places.keys().map(text::name::<A>).collect(),
@@ -53,8 +53,7 @@ pub fn page<const A: usize, S: Search<A> + Clone>(
         clauses: clauses::named(&methods),
         methods,
         left_out,
-    };
-    page.to_html()
+    })
 }
 
 /// Runs a traversal over a wide tree. Compares each visit and the stored state with the oracle's. `[WIDE-7]`
