@@ -368,13 +368,13 @@ fn the_command_refuses_what_it_cannot_show() {
     stackless("-q explain -o - --case", &[&bad]).fails_naming(&["bad.json: ", "node 0: child 9"]);
     for (args, what) in [
         ("--suite-case nosuch", "case 'nosuch': not in the suite"),
-        ("--suite-case key/u128/child-left-root", "expected one whose level is trace"),
+        ("--suite-case key/u128/child-left-root", "expected a case of the level trace"),
         ("--suite-case trace/script/chain-left-200-two-1", "200 edges deep"),
         ("--method complete", "complete: "),
-        ("--method wide-trail,hashed", "do not run on wide ones"),
+        ("--method wide-trail,hashed", "do not run on wide trees"),
         ("--wide 4", "the example have 8 children"),
         ("--method wide-trail --suite-case trace/script/three-neither", "its tree is binary"),
-        ("soup --pixel 3,512", "pixel 3,512 is outside of the image of 512x512 pixels"),
+        ("soup --pixel 3,512", "pixel 3,512 is outside the image of 512x512 pixels"),
     ] {
         stackless(&format!("explain {args} -o -"), &[]).fails_naming(&[what]);
     }

@@ -20,7 +20,7 @@ const METHODS: [&str; 10] = [
 ];
 const KINDS: [&str; 3] = ["primary", "any", "diffuse"];
 
-/// A run over made scenes with few rays, and its rows.
+/// A run over generated scenes with few rays, and its rows.
 fn bench(args: &str) -> (Run, Vec<Value>) {
     let folder = Folder::new();
     let json = folder.path("bench.json");

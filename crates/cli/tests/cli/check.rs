@@ -67,7 +67,7 @@ fn two_thousand_trees() {
     assert_same("--trees 2000", &plan(2000));
     let (stdout, counts) = check("--trees 50 --method hashed,afra-disjoint,stack", &[]);
     assert!(counts["resumes"].as_u64().unwrap() > 10_000, "{}", counts["resumes"]);
-    assert!(stdout.contains("put aside and taken up again: "));
+    assert!(stdout.contains("paused and resumed: "));
     // Stacks are not put aside.
     assert_eq!(check("--trees 50 --method stack", &[]).1["resumes"], 0);
 }

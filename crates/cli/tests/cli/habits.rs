@@ -62,8 +62,8 @@ fn a_dash_is_a_stream() {
 #[test]
 fn a_terminal_gets_text_alone() {
     for (args, code, what) in [
-        ("render soup --size 8 -o -", 2, ".png is no text"),
-        ("trace soup --rays /dev/null --format npy -o -", 2, ".npy is no text"),
+        ("render soup --size 8 -o -", 2, ".png is binary"),
+        ("trace soup --rays /dev/null --format npy -o -", 2, ".npy is binary"),
         ("stats soup --count 16 --plot -", 0, "<svg"),
     ] {
         let mut script = Command::new("script");
@@ -134,9 +134,9 @@ fn names_are_offered() {
 #[test]
 fn a_name_does_not_promise_another_kind() {
     for (args, naming) in [
-        ("render soup -o x.jpg", ["says .jpg", "expected .png"]),
-        ("explain -o x.pdf", ["says .pdf", "expected .html"]),
-        ("stats soup --plot x.png", ["says .png", "expected .svg"]),
+        ("render soup -o x.jpg", ["extension .jpg", "expected .png"]),
+        ("explain -o x.pdf", ["extension .pdf", "expected .html"]),
+        ("stats soup --plot x.png", ["extension .png", "expected .svg"]),
     ] {
         let run = stackless(args, &[]);
         assert!(run.code == Some(2) && naming.iter().all(|what| run.stderr.contains(what)), "{args}: {run:?}");

@@ -193,7 +193,7 @@ fn a_place_has_one_use() {
             };
             let run = place.command(args, &[&[cube.as_str()], &more[..], &[option, target]].concat()).output().unwrap();
             let error = String::from_utf8(run.stderr).unwrap();
-            assert!(run.status.code() == Some(2) && error.contains("would overwrite it"), "{args}: {error}");
+            assert!(run.status.code() == Some(2) && error.contains("would overwrite an input"), "{args}: {error}");
         }
     }
     let refused = |args: &str, options: &[&str], what: &str| {
@@ -201,9 +201,9 @@ fn a_place_has_one_use() {
         let error = String::from_utf8(run.stderr).unwrap();
         assert!(run.status.code() == Some(2) && error.contains(what), "{args} {options:?}: {error}");
     };
-    refused("trace CUBE --rays RAYS", &["-o", &rays], "would overwrite it");
-    refused("conform --waivers RAYS -- x", &["--write-waivers", &rays], "would overwrite it");
-    refused("suite export --suite SUITE", &["-o", &suite], "would overwrite it");
+    refused("trace CUBE --rays RAYS", &["-o", &rays], "would overwrite an input");
+    refused("conform --waivers RAYS -- x", &["--write-waivers", &rays], "would overwrite an input");
+    refused("suite export --suite SUITE", &["-o", &suite], "would overwrite an input");
     let twice = "two outputs";
     refused("stats CUBE", &["--json", &path("new"), "--plot", &path("folder/../new")], twice);
     refused("stats CUBE", &["--json", "-", "--plot", "-"], twice);

@@ -105,7 +105,7 @@ fn what_is_not_one_run_is_refused() {
     refused(&[&a, &b, &seed], &["seed.json: `seed` is 2, another than in ", "1.json"]);
     refused(&[&a, &b, &stress], &["stress.json: "]);
     refused(&[&a, &b, &version], &["version.json: another version of the program than in "]);
-    refused(&[&a, &broken], &["broken.json: no record: missing field `version`"]);
+    refused(&[&a, &broken], &["broken.json: not a record: missing field `version`"]);
     refused(&[&data("cube.ply")], &["cube.ply: not JSON: ", "; expected a record"]);
     refused(&[&folder.path("none.json")], &["none.json: cannot be read"]);
     merge(&[b, a, c], &sum).passes();
