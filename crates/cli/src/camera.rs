@@ -14,8 +14,8 @@ use crate::input::Scene;
 #[derive(Clone, Default, clap::Args)]
 pub(crate) struct Place {
     /// Camera position and target, `ex,ey,ez,tx,ty,tz`; then optionally the up vector, `ux,uy,uz`, and the field of
-    /// view across the shorter edge in degrees. Or a file with a line `NAME: NUMBERS` for each scene. [default, and for
-    /// scenes that the file does not name: all of the scene is in the image]
+    /// view across the shorter edge in degrees. Or a file with a line `NAME: NUMBERS` for each scene. By default, and
+    /// for scenes that the file does not name, the whole scene is in the image.
     #[arg(long, value_name = "NUMBERS|FILE", allow_hyphen_values = true)]
     view: Option<Given>,
 }

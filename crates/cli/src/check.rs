@@ -37,11 +37,11 @@ pub(crate) use summary::Summary;
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the generated scenes `strands`, `stadium`, `soup`.
     scenes: Vec<PathBuf>,
-    /// Number of random trees [default: 200000, or 0 with SCENE].
+    /// Number of random trees. [default: 200000, or 0 with SCENE]
     #[arg(long)]
     trees: Option<u64>,
-    /// Check every tree of up to N leaves under all decisions, instead of random trees: 6 leaves are 25,897 cases, 9
-    /// are 28 million.
+    /// Check every tree of up to this number of leaves under all decisions, instead of random trees: 6 leaves are
+    /// 25,897 cases, 9 are 28 million.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "seed"])]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(AllCases::LEAVES)))]
     leaves: Option<u32>,

@@ -33,7 +33,7 @@ use crate::trace::in_chunks;
 pub(crate) struct Contains {
     #[command(flatten)]
     input: Input,
-    /// Rule that derives the inside from crossings.
+    /// Rule that decides whether a point is inside.
     #[arg(long, default_value = "parity", value_parser = rule())]
     rule: Rule,
 }
