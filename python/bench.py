@@ -1,11 +1,11 @@
-"""Speed and wrong answers beside trimesh, embreex and Open3D, as tables in Markdown.
+"""Compares speed and wrong answers with trimesh, embreex and Open3D, as tables in Markdown.
 
     python bench.py [MESH...] [--rays N] [--judged N] [--points N] [--triangles N]
 
-Meshes are files that trimesh reads; without any, a made sphere. With --triangles, memory and times of a height field of
-so many come first. Engines that are not installed are left out. All get
-the same float32 numbers, so that all are asked the same question. Answers of a sample are judged by rational
-arithmetic (`tests/oracle.py`). Times are of whole calls from NumPy to NumPy on all threads, the best of three.
+Meshes are files that trimesh reads; the default is a generated sphere. --triangles first prints memory and times of a
+height field with N triangles. Engines that are not installed are omitted. All engines get equal float32 numbers.
+Rational arithmetic (`tests/oracle.py`) judges a sample of the answers. Times are of whole calls from NumPy to NumPy on
+all threads, the best of three.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ import numpy as np
 import trimesh
 from trimesh.ray.ray_triangle import RayMeshIntersector as Native
 
-# In place of this folder: the package is the one that is installed, not its source beside this file.
+# Replaces this folder, so that the installed package is imported and not its source.
 sys.path[0] = str(Path(__file__).parent / "tests")
 import oracle  # noqa: E402
 
 from stackless_bvh import Scene  # noqa: E402
 
-# Engines that are asked fewer questions, and of rays so many.
+# Engines with fewer queries, and their number of rays.
 SLOW = {"trimesh native": 200}
 RANDOM = np.random.default_rng(2026)
 
@@ -56,7 +56,7 @@ class Exact64(Exact):
 
 
 class Trimesh:
-    """An intersector of trimesh. Its crossings are the locations that it tells."""
+    """An intersector of trimesh. Its crossings are the locations that it returns."""
 
     def __init__(self, vertices, faces, kind=Native):
         self.mesh = trimesh.Trimesh(vertices.astype(np.float64), faces, process=False)
@@ -74,7 +74,7 @@ class Trimesh:
 
 
 class Open3D:
-    """Open3D's RaycastingScene, which is Embree."""
+    """Open3D's RaycastingScene, which uses Embree."""
 
     def __init__(self, vertices, faces):
         self.tensor = lambda array: open3d.core.Tensor(np.ascontiguousarray(array))
@@ -101,7 +101,7 @@ try:
     from trimesh.ray.ray_pyembree import RayMeshIntersector as Embreex
 
     ENGINES["trimesh embreex"] = lambda vertices, faces: Trimesh(vertices, faces, Embreex)
-except BaseException:  # It is a wrapped exception of any kind.
+except BaseException:  # The exception is wrapped, with any type.
     print("embreex is not installed", file=sys.stderr)
 try:
     import open3d
@@ -133,7 +133,7 @@ def main():
 
 
 def closest_table(name, vertices, faces, count, judged):
-    """One row for each kind of rays."""
+    """Prints a row for each kind of rays."""
     engines = {engine: make(vertices, faces) for engine, make in ENGINES.items()}
     for kind, (origins, directions) in rays(vertices, faces, count).items():
         truth = [nearest_faces(vertices, faces, o, d) for o, d in zip(origins[:judged], directions[:judged])]
@@ -149,7 +149,7 @@ def closest_table(name, vertices, faces, count, judged):
 
 
 def rays(vertices, faces, count):
-    """Origins and directions in float32: across the box, and at vertices and middles of edges."""
+    """Returns origins and directions in float32: across the box, and at vertices and middles of edges."""
     lo, hi = vertices.min(axis=0), vertices.max(axis=0)
     middle, size = (lo + hi) / 2, np.linalg.norm(hi - lo)
     around = RANDOM.normal(size=(count, 3))
@@ -158,20 +158,20 @@ def rays(vertices, faces, count):
     aims = corners[:, 0].copy()
     aims[::2] = (corners[::2, 0] + corners[::2, 1]) / np.float32(2)
     across = RANDOM.uniform(lo, hi, (count, 3)).astype(np.float32)
-    # From a grid that is coarse, so that a difference of two float32 is often exact and the ray meets its aim.
+    # Origins on a coarse grid, so that differences of float32 are often exact and rays hit their targets.
     coarse = np.round(origins / size * 64).astype(np.float32) * np.float32(2.0 ** np.round(np.log2(size)) / 64)
     return {"across the box": (origins, across - origins), "at vertices and edges": (coarse, aims - coarse)}
 
 
 def nearest_faces(vertices, faces, origin, direction):
-    """The faces whose exact distance rounds to the least float32, or -1: any of them is a right answer."""
+    """Returns the faces whose exact distance rounds to the least float32, or -1. Each of them is a right answer."""
     candidates = near_misses_and_hits(vertices, faces, origin, direction)
     found = oracle.all_hits(vertices, faces[candidates], origin, direction, dtype=np.float32)
     return {int(candidates[hit[1]]) for hit in found if hit[0] == found[0][0]} or {-1}
 
 
 def near_misses_and_hits(vertices, faces, origin, direction):
-    """All faces that may be hit, by double precision with a wide margin."""
+    """Returns all faces that may be hit, by double precision with a wide margin."""
     a, b, c = vertices[faces].astype(np.float64).transpose(1, 0, 2)
     o, d = origin.astype(np.float64), direction.astype(np.float64)
     e1, e2, s = b - a, c - a, o - a
@@ -184,11 +184,11 @@ def near_misses_and_hits(vertices, faces, origin, direction):
 
 
 def sphere_table(points):
-    """What may not happen with a closed mesh, and `contains`, whose truth is known of points that are not near it."""
+    """Counts impossible answers for a closed mesh, and wrong answers of `contains` for points far from the mesh."""
     vertices, faces = arrays(trimesh.creation.icosphere(5))
     edges = np.unique(np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0)
     aims = np.concatenate([vertices, (vertices[edges[:, 0]] + vertices[edges[:, 1]]) / np.float32(2)])
-    # Float32 rounds these directions, but not by so much that a ray could miss the sphere.
+    # Float32 rounds these directions, but not enough for a ray to miss the sphere.
     inside = np.zeros_like(aims)
     inside[1::2] = RANDOM.uniform(-0.25, 0.25, (len(aims) // 2, 3)).astype(np.float32)
     outside = (-3 * aims).astype(np.float32)
@@ -207,8 +207,8 @@ def sphere_table(points):
 
 
 def sphere_points(aims, count, inner):
-    """Points that are surely inside or surely outside of the unit sphere of triangles; half of them on lines from its
-    middle to vertices and middles of edges."""
+    """Returns points that are certainly inside or outside the unit sphere of triangles. Half of them are on lines from
+    its centre to vertices and middles of edges."""
     scale = np.where(RANDOM.random(count) < 0.5, RANDOM.uniform(0.05, 0.9, count), RANDOM.uniform(1.1, 2, count))
     lines = aims[RANDOM.integers(0, len(aims), count)] * scale[:, np.newaxis]
     anywhere = RANDOM.uniform(-1.2, 1.2, (count, 3))
@@ -219,7 +219,7 @@ def sphere_points(aims, count, inner):
 
 
 def memory_table(triangles):
-    """Of a great scene: what it takes while nothing else has been in this process."""
+    """Measures memory and time of a large scene, before other work of this process."""
     side = int((triangles / 2) ** 0.5) + 1
     x, y = np.meshgrid(np.linspace(0, 1, side, dtype=np.float32), np.linspace(0, 1, side, dtype=np.float32))
     z = np.float32(0.05) * (np.sin(40 * x) * np.cos(30 * y)).astype(np.float32)
@@ -249,7 +249,7 @@ def memory_table(triangles):
 
 
 def best(do, times=3):
-    """The least time, and what came out."""
+    """Returns the least time, and the result."""
     seconds = []
     for _ in range(times):
         begin = time.perf_counter()

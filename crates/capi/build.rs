@@ -1,4 +1,4 @@
-//! Gives the shared library its name and version, by which programs find it.
+//! Sets the name and the version of the shared library, by which programs find it.
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds libstackless, and checks it in C and C++: gcc and clang, sanitizers and valgrind, and as it is installed.
-# UPDATE=1 first writes what is made of other files: src/single and include/stackless.h.
+# Builds libstackless, and checks it in C and C++: with gcc and clang, sanitizers and valgrind, and installed.
+# UPDATE=1 first writes the generated files: src/single and include/stackless.h.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -9,12 +9,12 @@ made=$target/capi
 mkdir -p "$made"
 warnings=(-Wall -Wextra -Werror -O1)
 
-# Says that a file is not the one that is made, or replaces it.
+# Reports a difference from the generated file, or replaces the file.
 compare() {
     if [[ -n ${UPDATE-} ]]; then
         cp "$1" "$2"
     elif ! diff "$1" "$2"; then
-        echo "$2 is not what is made: UPDATE=1 crates/capi/test.sh" >&2
+        echo "$2 differs from the generated file: UPDATE=1 crates/capi/test.sh" >&2
         return 1
     fi
 }
@@ -33,7 +33,7 @@ if command -v cbindgen > /dev/null; then
 else
     echo "no cbindgen: include/stackless.h is not compared with src" >&2
 fi
-# The example in README.md is the one that is built.
+# README.md and the built example must be equal.
 compare <(sed -n '/^```c$/,/^```$/{//!p}' README.md) examples/minimal.c
 
 ./install.sh "$made/installed"
@@ -42,7 +42,7 @@ export PKG_CONFIG_PATH=$installed/lib/pkgconfig LD_LIBRARY_PATH=$installed/lib
 read -ra shared <<< "$(pkg-config --cflags --libs stackless)"
 static=(-I "$installed/include" "$installed/lib/libstackless.a" -lpthread -ldl -lm)
 sanitize=(-g -fsanitize=address,undefined -fno-sanitize-recover=all)
-# Threads of the library do not end before the program does, and so their memory is not freed.
+# The threads of the library end with the program, so their memory is not freed.
 memcheck=(valgrind --quiet --error-exitcode=1 --leak-check=full)
 memcheck+=(--show-leak-kinds=definite --errors-for-leak-kinds=definite)
 
@@ -70,7 +70,7 @@ for c in g++ clang++; do
     "${memcheck[@]}" "$made/wrapper" "$made/scene"
 done
 
-# As a user builds it.
+# Build as users do.
 rm -rf "$made/examples"
 cmake -S examples -B "$made/examples" -DCMAKE_PREFIX_PATH="$installed" > "$made/cmake.log"
 cmake --build "$made/examples" >> "$made/cmake.log"

@@ -119,7 +119,7 @@ impl Traffic {
     /// Returns the bytes of nodes, triangles, terminators, ray and hit. Lookups add 4 or 8 bytes each, in sectors of
     /// 32.
     pub fn bytes(&self) -> f64 {
-        // With eight children, without the ancestors, of which a backtrack reads one.
+        // With eight children, ancestors are not counted: a backtrack reads one of them.
         let node = if self.children == 2 { 64.0 } else { 96.0 };
         node * self.nodes + 48.0 * self.triangles + 16.0 * self.leaves + 64.0
     }
@@ -204,7 +204,7 @@ impl Cell {
                 let (tasks, results, params, work) = (&tasks, &results[i], &params, &work);
                 let buffers = Buffers { nodes, leaves, displacements, cells, tasks, results, params, work };
                 let mut pass = buffers.pass(&kernels[i], &pipelines[i], count);
-                // Hits of the previous pass must not count for this one.
+                // Hits of the previous pass must not remain.
                 pass.clear = vec![results, work];
                 pass
             })
@@ -222,7 +222,7 @@ impl Cell {
             let words = gpu.read(results, 4 * rays.len())?;
             let found: Vec<Found> = words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect();
             let own = usize::from(kernel.is_wide());
-            // In another order, any hit may be another one.
+            // With another order, any-hit queries may find another hit.
             let is_same = |a: &Found, b: &Found| {
                 if first[own].is_none() && query.any { a.is_hit() == b.is_hit() } else { a == b }
             };
@@ -230,8 +230,7 @@ impl Cell {
                 .as_ref()
                 .or(first[0].as_ref())
                 .map_or(0, |first| first.iter().zip(&found).filter(|(a, b)| !is_same(a, b)).count());
-            // Only rounding can make a kernel that prunes, or has another order, miss hits, and only close to the end
-            // of a box.
+            // Kernels that prune, or have another order, may miss hits only by rounding, close to the end of a box.
             let allowed = if is_pruning(kernel) || first[own].is_none() { rays.len() / 1000 } else { 0 };
             if differ > allowed {
                 return Err(GpuError::Data(format!("{}: {differ} hits are not those of stack", kernel.full_name())));
@@ -294,7 +293,7 @@ fn is_stack(kernel: &Kernel) -> bool {
     is_short || matches!(kernel.traversal, Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0)
 }
 
-/// Returns whether Binder & Keller compare with it: while-while, speculative, persistent.
+/// Returns whether it is a baseline of Binder & Keller: while-while, speculative, persistent.
 fn is_of_paper(kernel: &Kernel) -> bool {
     kernel.traversal == Traversal::Stack
 }

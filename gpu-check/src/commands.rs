@@ -1,4 +1,4 @@
-//! What the commands do, and print.
+//! The commands and their output.
 
 use std::io::{stdin, stdout};
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub(crate) fn tapes(gpu: &Gpu, trees: usize, seed: u64) -> Result<bool, GpuError
     Ok(good)
 }
 
-/// A line of the table.
+/// Prints a line of the table.
 fn along_tapes(gpu: &Gpu, batch: &impl Searches, kernel: &Kernel) -> Result<bool, GpuError> {
     let start = Instant::now();
     let tapes::Report { name, compared, too_deep, visits, mismatches, first } =
@@ -90,7 +90,7 @@ pub(crate) fn suite(gpu: &Gpu, kernel: &str, planted: Option<&str>) -> Result<()
     served.map_err(data)
 }
 
-/// The mesh of a file; what was skipped is said.
+/// Loads the mesh of a file, and prints a note about skipped parts.
 fn load(file: &Path) -> Result<Mesh, GpuError> {
     let loaded = stackless_scene::load(file).map_err(data)?;
     if let Some(note) = loaded.note(file) {
@@ -114,7 +114,7 @@ pub(crate) fn rays(gpu: &Gpu, files: &[PathBuf], count: usize) -> Result<bool, G
     Ok(good)
 }
 
-/// Meshes from files, or made ones, with their names.
+/// Meshes from files, or generated meshes, with their names.
 fn meshes(files: &[PathBuf]) -> Result<Vec<(String, Mesh)>, GpuError> {
     if files.is_empty() {
         let made = Made::ALL.into_iter().map(|made| Ok((made.name().to_owned(), made.mesh(1).map_err(data)?)));
@@ -133,7 +133,7 @@ fn binary(mesh: &Mesh) -> Result<Bvh, GpuError> {
     Bvh::sah(mesh, SahOptions::default()).map_err(data)
 }
 
-/// Rays of a camera and where they bounce.
+/// Camera rays and their bounces.
 fn mixed_rays(mesh: &Mesh, bvh: &Bvh, count: usize) -> Vec<Ray> {
     let mut rays = made::view(mesh, count / 2, 2);
     rays.extend(bounce(mesh, bvh, &rays, 3));
@@ -197,7 +197,7 @@ pub(crate) fn hash(gpu: &Gpu, files: &[PathBuf]) -> Result<bool, GpuError> {
     Ok(true)
 }
 
-/// `folder` is where the record goes.
+/// `folder` receives the record.
 pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Option<&Path>) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
     let (mut rows, mut traffics) = (Vec::new(), Vec::new());
@@ -232,7 +232,7 @@ pub(crate) fn bench(gpu: &Gpu, scenes: &[PathBuf], setting: Setting, folder: Opt
     Ok(true)
 }
 
-/// All kernels on one scene. Where arithmetic is exact, hits must be those of the exact tracer.
+/// Compares all kernels on one scene. If arithmetic is exact, hits must be those of the exact tracer.
 fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> Result<bool, GpuError> {
     let arithmetic = probe::probe(gpu)?;
     let bvh = binary(mesh)?;
@@ -264,7 +264,7 @@ fn compare(gpu: &Gpu, name: &str, mesh: &Mesh, rays: &[Ray], is_exact: bool) -> 
             if let Some(first) = report.first {
                 println!("  {first}");
             }
-            // In another order, roundings may decide otherwise which boxes are skipped.
+            // With another order, rounding may change which boxes are skipped.
             good &= report.mismatches == 0 || (!is_exact && !kernel.keeps_order());
             good &= !is_exact || errors.differences == 0;
         }

@@ -1,11 +1,12 @@
-//! Exact answers by a device that has single precision: kernels say what is certain, the CPU settles the rest.
+//! Exact answers by a device with single precision: kernels report certain results, and the CPU settles the remaining
+//! rays.
 //!
-//! `triangle_band.wgsl` tells certain misses from certain hits by the error bounds of BAND-2, and knows a hit's
-//! distance within those of BAND-4. A hit replaces another only if its upper bound is less than the other's lower one:
-//! both are floats, so the rounded distances are in that order too. A box is skipped only if it begins beyond the upper
-//! bound of the best hit. What is in doubt ends the search; such rays are queued, and traced by the exact tracer. For
-//! the others the triangle is certain, and the CPU computes its exact distance and weights. So the hits are those of
-//! the exact tracer, bit for bit (BAND-5).
+//! `triangle_band.wgsl` distinguishes certain misses from certain hits by the error bounds of BAND-2, and bounds a
+//! hit's distance by BAND-4. A hit replaces the best hit only if its upper bound is less than the best hit's lower
+//! bound. Both bounds are floats, so the rounded distances have that order. A box is skipped only if it begins beyond
+//! the upper bound of the best hit. Any doubt ends the search; such rays are queued, and the exact tracer traces them.
+//! For all other rays the triangle is certain, and the CPU computes the exact distance and weights. So the hits are
+//! those of the exact tracer, bit for bit (BAND-5).
 
 use std::time::Instant;
 
@@ -23,30 +24,30 @@ use crate::rays::run;
 use crate::scene::{Query, Scene};
 use crate::{Checks, Gpu, GpuError, Pipeline};
 
-/// What is written for a ray in doubt.
+/// The result of a ray in doubt.
 pub const UNCERTAIN: u32 = u32::MAX - 1;
 
 /// The factor of u D E (2C + E) that bounds the errors of edge functions. `[BAND-2]`
 pub const EDGE_FACTOR: f32 = 39.0;
 
-/// Exact closest hits, and what they took.
+/// Exact closest hits, with times.
 #[derive(Debug)]
 pub struct Settled {
     /// The hits.
     pub hits: Vec<Option<Hit>>,
-    /// Rays that the device left in doubt.
+    /// Number of rays that the device left in doubt.
     pub uncertain: usize,
-    /// Seconds until the device was done, transfers included.
+    /// Seconds until the device finished, including transfers.
     pub device_seconds: f64,
-    /// Seconds of the CPU after that.
+    /// Seconds of the CPU after the device finished.
     pub settle_seconds: f64,
 }
 
-/// Traces rays exactly, by a kernel whose edge functions are taken to be off by `factor`, which should be
+/// Traces rays exactly, by a kernel that assumes errors of edge functions up to `factor`, which should be
 /// [`EDGE_FACTOR`].
 ///
 /// # Errors
-/// [`GpuError::Feature`] for a device on which the bounds do not hold; what else a device may refuse.
+/// [`GpuError::Feature`] for a device without the bounds; other errors of the device.
 pub fn closest(
     gpu: &Gpu,
     (scene, bvh): (&Scene, &Bvh),
@@ -69,10 +70,10 @@ pub fn closest(
     Ok(Settled { hits, uncertain, device_seconds, settle_seconds: start.elapsed().as_secs_f64() })
 }
 
-/// Whether the bounds hold on a device. `[BAND-1]`
+/// Checks that the bounds hold on a device. `[BAND-1]`
 ///
 /// # Errors
-/// [`GpuError::Feature`] with what is missing.
+/// [`GpuError::Feature`] with the missing property.
 pub const fn holds(arithmetic: &Arithmetic) -> Result<(), GpuError> {
     if arithmetic.rounds { Ok(()) } else { Err(GpuError::Feature("rounding to nearest")) }
 }
@@ -84,16 +85,16 @@ pub fn triangles(arithmetic: &Arithmetic, factor: f32) -> String {
     format!("const EDGE_FACTOR = f32({factor});\nconst FLOOR = f32({floor:e});\n{test}")
 }
 
-/// What stands in for sizes so small that underflow would matter. `[BAND-1]`
+/// The minimum size in error bounds, so that underflow does not matter. `[BAND-1]`
 const fn floor(arithmetic: Arithmetic) -> f32 {
     let exponent = if arithmetic.keeps_subnormals { 40 } else { 32 };
     f32::from_bits((127 - exponent) << 23)
 }
 
-/// What a compiled kernel says of each ray: a triangle, a miss, or [`UNCERTAIN`].
+/// Runs a compiled kernel. Returns for each ray a triangle, a miss, or [`UNCERTAIN`].
 ///
 /// # Errors
-/// As [`closest`].
+/// The errors of [`closest`].
 pub fn launch(
     gpu: &Gpu,
     scene: &Scene,
@@ -111,10 +112,10 @@ pub fn launch(
     Ok(found)
 }
 
-/// The hits of rays by what a kernel has said of each, and how many were in doubt.
+/// Returns the hits of rays from the results of a kernel, and the number of rays in doubt.
 ///
 /// # Errors
-/// Of this machine's threads, if their floats are of no use.
+/// The floating-point environment of this machine's threads is unsuitable.
 pub fn settle(bvh: &Bvh, rays: &[Ray], found: &[u32]) -> Result<(Vec<Option<Hit>>, usize), EnvironmentError> {
     let mut places = vec![u32::MAX; bvh.triangles().iter().map(|held| held.prim as usize + 1).max().unwrap_or(0)];
     for (held, place) in bvh.triangles().iter().zip(0..) {
@@ -156,7 +157,7 @@ mod tests {
         }
     }
 
-    /// Whether `found` is off by at most `bound` from a sum of triple products.
+    /// Whether the error of `found`, compared with a sum of triple products, is at most `bound`.
     fn is_within(bound: f32, found: f32, truth: &Accumulator) -> bool {
         let side = |end: f64| {
             let mut sum = truth.clone();
@@ -167,8 +168,8 @@ mod tests {
         side(found - bound) != Ordering::Less && side(found + bound) != Ordering::Greater
     }
 
-    /// How many of many small triangles have a determinant, edge function or numerator that is beyond its bound on a
-    /// device that flushes. The numerator's has to leave 2^-121.
+    /// Counts small triangles whose determinant, edge function or numerator exceeds its bound on a device that flushes.
+    /// The numerator's error must exceed 2^-121.
     fn beyond(arithmetic: Arithmetic, floor: f32) -> usize {
         let mut rng = Rng::new(1);
         let mut number = |exponent: i32, spread: u64| {
@@ -219,7 +220,7 @@ mod tests {
         beyond
     }
 
-    /// Where subnormal results are lost, the bounds hold with the greater floor, and not with the lesser one. [BAND-2]
+    /// If subnormal results are lost, the bounds hold with the greater floor, and fail with the smaller floor. [BAND-2]
     /// [BAND-3]
     #[test]
     fn bounds_hold_where_results_are_flushed() {

@@ -1,7 +1,7 @@
-//! The kernels: which there are, and how the text of each is put together from parts.
+//! The kernels, and the composition of their texts from parts.
 //!
-//! A part stands once: a traversal, a way to keep its stack, a width of its words, a search, a driver. What a kernel
-//! does not need is a constant that is false, and is compiled out.
+//! Each part exists once: a traversal, a storage of its stack, a width of its words, a search, a driver. Parts that a
+//! kernel does not need depend on a constant that is false, and are compiled out.
 
 mod wide;
 
@@ -13,66 +13,66 @@ use stackless_bvh::traverse::Method;
 
 use wide::{WIDE_RAY_SEARCH, WIDE_TAPE_SEARCH};
 
-/// Invocations of a work group.
+/// Invocations in a work group.
 pub const WORKGROUP: u32 = 64;
 
-/// How the next node is found.
+/// The method of finding the next node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Traversal {
     /// A stack in private memory.
     Stack,
     /// A stack in the memory of the work group.
     StackWorkgroup,
-    /// A stack in private memory that keeps where each postponed node begins.
+    /// A stack in private memory that also keeps the distance at which each postponed node begins.
     StackT0,
-    /// Laine's restart trail with a short stack of so many nodes.
+    /// Laine's restart trail with a short stack of this size.
     Laine(u32),
     /// Parents and siblings (Áfra & Szirmay-Kalos 2014).
     Afra,
     /// Binder & Keller's Algorithm 1 as printed, with printed sizes and keys.
     HashedPrinted,
-    /// The same with the keys that can be looked up and sizes made for direct addresses.
+    /// `HashedPrinted` with the keys that can be looked up, and sizes for direct addresses.
     Hashed,
-    /// The same with a second trail.
+    /// `Hashed` with a second trail.
     HashedDisjoint,
-    /// Of nodes with up to eight children.
+    /// Nodes with up to eight children.
     Wide(Wide),
 }
 
-/// How invocations come to their tasks.
+/// The distribution of tasks to invocations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Driver {
-    /// One each, while-while.
+    /// One task per invocation, while-while.
     Single,
-    /// Whoever is done fetches the next.
+    /// An invocation that finishes a task fetches the next task.
     Persistent,
-    /// One each, with a leaf put aside.
+    /// One task per invocation, with a postponed leaf.
     Speculative,
 }
 
 /// A kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Kernel {
-    /// The name that commands and tables share; without its words.
+    /// The name in commands and tables, without the word size.
     pub name: &'static str,
     /// The traversal.
     pub traversal: Traversal,
     /// The driver.
     pub driver: Driver,
-    /// Words of 32 bits of a key or trail: 1, 2 or 3; of a trail for wide trees 1, 2 or 4.
+    /// Number of 32-bit words of a key or trail: 1, 2 or 3; for trails of wide trees 1, 2 or 4.
     pub words: u32,
 }
 
-/// Which two links the records of a kernel have.
+/// The two links in the records of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Links {
-    /// Uncles, or nothing that is read.
+    /// Uncles, or links that are not read.
     Uncles,
     /// Parent and sibling.
     Parents,
 }
 
-/// Which tables a kernel looks keys up in.
+/// The tables in which a kernel looks up keys.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Table {
     /// Sizes and keys as printed.
@@ -81,7 +81,7 @@ pub enum Table {
     Tight,
 }
 
-/// What is recorded of a traversal.
+/// The recording of a traversal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Record {
     /// Nothing.
@@ -107,7 +107,7 @@ const SINGLE: [(&str, Traversal); 11] = [
 ];
 
 impl Kernel {
-    /// All kernels for trees of two children with words of this number, those without words only for 1.
+    /// All kernels for trees of two children with this number of words. Kernels without words belong to 1.
     pub fn all(words: u32) -> Vec<Self> {
         let single = SINGLE.map(|(name, traversal)| Self { name, traversal, driver: Driver::Single, words });
         let mut all: Vec<Self> = single.into_iter().filter(|kernel| words == 1 || kernel.has_words()).collect();
@@ -119,7 +119,7 @@ impl Kernel {
         all
     }
 
-    /// Words of 32 bits that keys and trails need over a tree of this depth.
+    /// Number of 32-bit words that keys and trails need for a tree of this depth.
     pub const fn words_for(depth: u32) -> u32 {
         match depth {
             0..32 => 1,
@@ -128,12 +128,12 @@ impl Kernel {
         }
     }
 
-    /// The name, with the words if they are more than one.
+    /// The name, with the word size if it is above 32 bits.
     pub fn full_name(&self) -> String {
         if self.words == 1 { self.name.to_owned() } else { format!("{}/{}", self.name, 32 * self.words) }
     }
 
-    /// Whether it keeps words that limit the depth.
+    /// Whether it has words that limit the depth.
     pub const fn has_words(&self) -> bool {
         match self.traversal {
             Traversal::Stack | Traversal::StackWorkgroup | Traversal::StackT0 => false,
@@ -142,7 +142,7 @@ impl Kernel {
         }
     }
 
-    /// Edges that its state carries, where it is limited; of wide trees, levels.
+    /// Maximum depth in edges, or for wide trees in levels; `None` without a limit.
     pub const fn depth_limit(&self) -> Option<u32> {
         if let Traversal::Wide(wide) = self.traversal {
             return wide.level_limit(self.words);
@@ -153,12 +153,12 @@ impl Kernel {
         Some(if matches!(self.traversal, Traversal::Afra) { 32 * self.words } else { 32 * self.words - 1 })
     }
 
-    /// Memory of a work group that it needs for trees of this depth.
+    /// Bytes of work group memory that it needs for trees of this depth.
     pub const fn workgroup_bytes(&self, depth: u32) -> u32 {
         if matches!(self.traversal, Traversal::StackWorkgroup) { 4 * WORKGROUP * depth } else { 0 }
     }
 
-    /// The traversal of the library whose events it has to have; none for wide trees, which have one oracle.
+    /// The traversal of the library with equal events; `None` for wide trees, which have one oracle.
     pub const fn method(&self) -> Option<Method> {
         Some(match self.traversal {
             Traversal::Stack | Traversal::StackWorkgroup => Method::Stack,
@@ -174,7 +174,7 @@ impl Kernel {
         })
     }
 
-    /// Whether it visits nodes in the order of its oracle: all but the speculative one.
+    /// Whether it visits nodes in the order of its oracle. Only the speculative kernel does not.
     pub const fn keeps_order(&self) -> bool {
         !matches!(self.driver, Driver::Speculative)
     }
@@ -203,17 +203,17 @@ impl Kernel {
         self.has_keys()
     }
 
-    /// Whether it decides once at a visit, and never asks again on its way down from the root.
+    /// Whether each node is decided once. Kernels that restart from the root decide again.
     pub const fn decides_once(&self) -> bool {
         !matches!(self.traversal, Traversal::Laine(_))
     }
 
-    /// Which links it reads.
+    /// The links that it reads.
     pub const fn links(&self) -> Links {
         if matches!(self.traversal, Traversal::Afra) { Links::Parents } else { Links::Uncles }
     }
 
-    /// Which tables it reads.
+    /// The tables that it reads.
     pub const fn table(&self) -> Option<Table> {
         match self.traversal {
             Traversal::HashedPrinted => Some(Table::Printed),
@@ -227,7 +227,7 @@ impl Kernel {
         if self.is_wide() { WIDE_TAPE_SEARCH } else { TAPE_SEARCH }
     }
 
-    /// The search of a ray, but for its triangles.
+    /// The search of a ray, without its triangles.
     pub const fn ray_search(&self) -> &'static str {
         if self.is_wide() { WIDE_RAY_SEARCH } else { RAY_SEARCH }
     }
@@ -237,7 +237,7 @@ impl Kernel {
         matches!(self.traversal, Traversal::Wide(_))
     }
 
-    /// The text of the kernel: constants, then `search` (with what belongs to it), then the parts.
+    /// The text of the kernel: constants, `search` with its dependencies, then the parts.
     pub fn source(&self, shape: Shape, search: &str, record: Record) -> String {
         let mut text = String::new();
         let leaf_reach = if self.table() == Some(Table::Printed) { 6 } else { 14 };
@@ -281,7 +281,7 @@ impl Kernel {
         if !self.is_wide() {
             parts.extend([include_str!("../wgsl/types.wgsl"), include_str!("../wgsl/loop.wgsl")]);
         }
-        // A key; a wide kernel without one records nothing in its place.
+        // The key; a wide kernel without keys records nothing instead.
         parts.push(match if matches!(self.traversal, Traversal::Wide(Wide::Trail)) { 1 } else { self.words } {
             1 => include_str!("../wgsl/word1.wgsl"),
             2 => include_str!("../wgsl/word2.wgsl"),
@@ -327,10 +327,10 @@ impl Kernel {
     }
 }
 
-/// What the text of a kernel depends on besides the kernel.
+/// Other inputs of the text of a kernel.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    /// Depth of the deepest tree, in edges: nodes that a stack must hold. Of wide trees, levels.
+    /// Depth of the deepest tree, in edges; for wide trees, in levels. A stack must hold this number of nodes.
     pub depth: u32,
     /// Whether lanes can vote.
     pub subgroups: bool,

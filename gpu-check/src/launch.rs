@@ -5,7 +5,7 @@ use wgpu::Buffer;
 use crate::kernel::{Driver, Kernel, WORKGROUP};
 use crate::{Access, Checks, Gpu, GpuError, Pass, Pipeline};
 
-/// How traversal kernels use their bindings: nodes, leaves, displacements, cells, tasks, results, parameters, work.
+/// Bindings of traversal kernels: nodes, leaves, displacements, cells, tasks, results, parameters, work.
 pub const BINDINGS: [Access; 8] = [
     Access::Read,
     Access::Read,
@@ -20,7 +20,7 @@ pub const BINDINGS: [Access; 8] = [
 /// Compiles a kernel for trees of this depth.
 ///
 /// # Errors
-/// [`GpuError::Limit`] where a work group has too little memory for its stacks, and as [`Gpu::compile`].
+/// [`GpuError::Limit`] if a work group has too little memory for its stacks, and the errors of [`Gpu::compile`].
 pub fn compile(gpu: &Gpu, kernel: &Kernel, depth: u32, source: &str, checks: Checks) -> Result<Pipeline, GpuError> {
     let (needed, limit) = (kernel.workgroup_bytes(depth), gpu.workgroup_bytes());
     if needed > limit {
@@ -30,7 +30,7 @@ pub fn compile(gpu: &Gpu, kernel: &Kernel, depth: u32, source: &str, checks: Che
     gpu.compile(&kernel.full_name(), source, &BINDINGS, checks)
 }
 
-/// Work groups that persistent kernels are launched with, where there are as many tasks.
+/// Maximum number of work groups of persistent kernels.
 const PERSISTENT_GROUPS: u32 = 1024;
 
 /// The buffers of a launch, in the order of the bindings.
@@ -46,16 +46,16 @@ pub struct Buffers<'a> {
     pub cells: &'a Buffer,
     /// Cases or rays.
     pub tasks: &'a Buffer,
-    /// Where the results go.
+    /// The results.
     pub results: &'a Buffer,
-    /// Made by [`params`].
+    /// Parameters from [`params`].
     pub params: &'a Buffer,
     /// The queue of persistent kernels, counters, or recorded events.
     pub work: &'a Buffer,
 }
 
 impl<'a> Buffers<'a> {
-    /// The pass of a kernel over so many tasks.
+    /// The pass of a kernel over this number of tasks.
     pub fn pass(&self, kernel: &Kernel, pipeline: &'a Pipeline, tasks: u32) -> Pass<'a> {
         let [x, y] = groups(tasks);
         let groups = if kernel.driver == Driver::Persistent { [(x * y).min(PERSISTENT_GROUPS), 1] } else { [x, y] };
@@ -73,21 +73,21 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// Work groups for so many invocations, in rows, since the number along one axis is limited.
+/// Work groups for this number of invocations, in rows, because the number along one axis is limited.
 pub fn groups(invocations: u32) -> [u32; 2] {
     const ROW: u32 = 1 << 15;
     let groups = invocations.div_ceil(WORKGROUP).max(1);
     [groups.min(ROW), groups.div_ceil(ROW)]
 }
 
-/// Steps of a traversal at most, where events are recorded: more than any that ends takes over trees of 200 nodes, 95
-/// deep.
+/// Maximum number of steps of a recorded traversal: more than any terminating traversal needs in trees of 200 nodes and
+/// depth 95.
 const MOST_STEPS: u32 = 1 << 15;
 
-/// The parameters of a launch: number of tasks, invocations in a row, and steps at most.
+/// The parameters of a launch: number of tasks, invocations in a row, and maximum number of steps.
 ///
 /// # Errors
-/// As [`Gpu::uniform`].
+/// The errors of [`Gpu::uniform`].
 pub fn params(gpu: &Gpu, tasks: u32) -> Result<Buffer, GpuError> {
     gpu.uniform(&[tasks, groups(tasks)[0] * WORKGROUP, MOST_STEPS, 0])
 }

@@ -1,4 +1,4 @@
-//! Trees as kernels read them: records, links, tables, in pieces of 16 bytes.
+//! Trees in the format of kernels: records, links and tables, in pieces of 16 bytes.
 
 use stackless_bvh::generate::Tape;
 use stackless_bvh::geom::Triangle;
@@ -7,44 +7,45 @@ use stackless_bvh::tree::{Node, Parents, Reach, Topology, Tree, Uncles};
 
 use crate::kernel::{Links, Table};
 
-/// What a leaf ends with.
+/// The mark at the end of a leaf.
 pub const TERMINATOR: u32 = 1 << 31;
 
 /// No node.
 pub const NOWHERE: u32 = 0;
 
-/// Where the nodes of a tree are, by slot: a multiple of 4 for an inner node, the complement of an offset for a leaf.
+/// Addresses of the nodes of a tree, by slot: a multiple of 4 for an inner node, the complement of an offset for a
+/// leaf.
 #[derive(Clone, Debug)]
 pub struct Addresses(Vec<u32>);
 
 /// The records of one or more trees, with links of one kind.
 #[derive(Clone, Debug, Default)]
 pub struct Records {
-    /// Inner nodes, 16 words each; the first is nobody's.
+    /// Inner nodes, 16 words each; the first record is unused.
     pub nodes: Vec<u32>,
     /// Leaves: pieces of 4 words, the last of each a terminator with links.
     pub leaves: Vec<u32>,
 }
 
-/// The tables of one or more trees, with addresses of kernels in them.
+/// The tables of one or more trees, with the kernel's addresses.
 #[derive(Clone, Debug, Default)]
 pub struct HashTables {
-    /// Tables of displacements, one behind the other.
+    /// Tables of displacements, one after the other.
     pub displacements: Vec<u32>,
     /// Hash tables.
     pub cells: Vec<u32>,
 }
 
-/// What a kernel has to know of one perfect hash.
+/// The parameters of one perfect hash.
 #[derive(Clone, Copy, Debug)]
 pub struct TableHead {
     /// D - 1.
     pub mask: u32,
-    /// Where its displacements begin.
+    /// Start of its displacements.
     pub displacements_at: u32,
     /// H.
     pub size: u32,
-    /// Where its cells begin.
+    /// Start of its cells.
     pub cells_at: u32,
     /// floor((2^64 - 1) / H).
     pub reciprocal: u64,
@@ -55,7 +56,7 @@ pub struct TableHead {
 }
 
 impl TableHead {
-    /// Where there is no table.
+    /// No table.
     pub const NONE: Self = Self {
         mask: 0,
         displacements_at: 0,
@@ -66,7 +67,8 @@ impl TableHead {
         fold_seed: 0,
     };
 
-    /// What kernels read where it is not compiled in, with the address of the root, and a word for the search.
+    /// Words for kernels without a compiled-in table: the parameters, the address of the root, and a word for the
+    /// search.
     pub const fn words(&self, root: u32, search: u32) -> [u32; 16] {
         let [recip, recip_high] = halves(self.reciprocal);
         let (seed, is_seeded) = match self.mix.seed {
@@ -102,11 +104,11 @@ pub const fn halves(word: u64) -> [u32; 2] {
     [word as u32, (word >> 32) as u32]
 }
 
-/// Appends a leaf: its triangles, three pieces each with the index in the first, then a terminator without links.
+/// Appends a leaf: three pieces per triangle, with the index in the first, then a terminator without links.
 pub fn push_leaf(leaves: &mut Vec<u32>, triangles: impl Iterator<Item = (Triangle, u32)>) {
     for (shape, index) in triangles {
         for (corner, last) in shape.0.into_iter().zip([index, 0, 0]) {
-            // Without -0, whose bits are those of the terminator.
+            // -0 becomes 0, because its bits are those of the terminator.
             leaves.extend((corner + 0.0).to_array().map(f32::to_bits));
             leaves.push(last);
         }
@@ -115,12 +117,12 @@ pub fn push_leaf(leaves: &mut Vec<u32>, triangles: impl Iterator<Item = (Triangl
 }
 
 impl Records {
-    /// Room for so many inner nodes and pieces of leaves.
+    /// Space for these numbers of inner nodes and of pieces of leaves.
     pub fn with_room(inner: u32, pieces: u32) -> Self {
         Self { nodes: vec![0; 16 * inner as usize], leaves: vec![0; 4 * pieces as usize] }
     }
 
-    /// Writes children and links of a tree whose leaves are two pieces long, and never hit.
+    /// Writes children and links of a tree. Its leaves are two pieces long, and never hit.
     pub fn add_tree(&mut self, tree: &Tree, addresses: &Addresses, kind: Links) {
         let rows = links(tree, addresses, kind);
         for node in (0..tree.node_count() as u32).filter_map(|i| tree.node(i)) {
@@ -140,7 +142,7 @@ impl Records {
 }
 
 impl Records {
-    /// Writes what a tape says of the nodes of a tree that has been added.
+    /// Writes the decisions of a tape into the nodes of an added tree.
     pub fn add_cells(&mut self, tree: &Tree, addresses: &Addresses, tape: &Tape) {
         let cell = |node: Node| tape.cells()[tree.slot(node)];
         for node in (0..tree.node_count() as u32).filter_map(|i| tree.node(i)) {
@@ -163,8 +165,8 @@ impl Records {
 }
 
 impl Addresses {
-    /// Those of a tree's nodes where inner nodes begin at the record `first` and leaves at the piece `first_leaf`, each
-    /// leaf as many pieces long as `pieces` says; and where the next tree may begin.
+    /// Addresses of a tree's nodes. Inner nodes start at the record `first`, leaves at the piece `first_leaf`; `pieces`
+    /// returns the length of a leaf. Also returns the starts for the next tree.
     pub fn of(tree: &impl Topology, first: u32, first_leaf: u32, pieces: impl Fn(Node) -> u32) -> (Self, u32, u32) {
         let mut addresses = vec![NOWHERE; tree.node_count()];
         let (mut next, mut next_leaf) = (first, first_leaf);
@@ -222,7 +224,7 @@ impl HashTables {
         Ok(self.add_hash(&hash, |node| addresses.at(tree, node)))
     }
 
-    /// Adds a finished table, with these addresses for nodes.
+    /// Adds a finished table; `address` maps nodes to addresses.
     pub fn add_hash(&mut self, hash: &PerfectHash, address: impl Fn(Node) -> u32) -> TableHead {
         let header = hash.header();
         let head = TableHead {
@@ -242,7 +244,7 @@ impl HashTables {
 }
 
 impl Table {
-    /// How it is built.
+    /// The options of its builder.
     pub const fn options(self) -> Options {
         match self {
             Self::Printed => Options { key_set: KeySet::Paper, sizing: Sizing::Printed },
@@ -251,7 +253,7 @@ impl Table {
     }
 }
 
-/// The node that an entry stands for; `None` for a displacement or an empty cell. `[HASH-5]`
+/// The node of an entry; `None` for a displacement or an empty cell. `[HASH-5]`
 pub const fn node_of(word: u32) -> Option<Node> {
     match word {
         0..0x8000_0000 => None,
@@ -260,7 +262,7 @@ pub const fn node_of(word: u32) -> Option<Node> {
     }
 }
 
-/// An address in the table of displacements: marked by the sign.
+/// An address in the table of displacements, marked by the sign.
 pub const fn encoded(address: u32) -> u32 {
     address | TERMINATOR
 }

@@ -1,5 +1,5 @@
-//! WGSL kernels of stackless traversal, held to the oracle of `stackless_bvh` and measured. README.md says what there
-//! is.
+//! WGSL kernels of stackless traversal, compared with the oracle of `stackless_bvh` and measured. README.md describes
+//! them.
 
 pub mod bench;
 mod device;

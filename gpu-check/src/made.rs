@@ -1,5 +1,5 @@
-//! Made scenes with small integer coordinates, and rays for them: single precision is exact there but for divisions,
-//! which are rounded once. So kernels must have the hits of rational arithmetic, bit for bit.
+//! Generated scenes with small integer coordinates, and their rays. Single precision is exact there, except for
+//! divisions, which are rounded once. So kernels must have the hits of rational arithmetic, bit for bit.
 
 use glam::Vec3;
 use stackless_bvh::generate::{Rng, Source as _};
@@ -8,11 +8,11 @@ use stackless_bvh::geom::{Mesh, Ray};
 /// A scene, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Made {
-    /// Ground of integer heights.
+    /// Terrain with integer heights.
     Terrain,
-    /// Cubes side by side and inside each other: coplanar faces, boxes without volume.
+    /// Cubes, adjacent and nested: coplanar faces, boxes without volume.
     City,
-    /// Triangles anywhere, some twice, some degenerate.
+    /// Random triangles, some repeated, some degenerate.
     Soup,
 }
 
@@ -20,7 +20,7 @@ pub enum Made {
 const REACH: i32 = 12;
 
 impl Made {
-    /// All of them.
+    /// All scenes.
     pub const ALL: [Self; 3] = [Self::Terrain, Self::City, Self::Soup];
 
     /// The name.
@@ -35,7 +35,7 @@ impl Made {
     /// The mesh of a seed.
     ///
     /// # Errors
-    /// None: all indices are those of corners.
+    /// None: all indices are valid.
     pub fn mesh(self, seed: u64) -> Result<Mesh, stackless_bvh::geom::MeshError> {
         let mut rng = Rng::new(seed);
         let mut triangles: Vec<[[i32; 3]; 3]> = Vec::new();
@@ -69,7 +69,8 @@ impl Made {
     }
 }
 
-/// Rays from integer points, by turns along an axis, towards a corner or the middle of an edge, and anywhere; some end.
+/// Rays from integer points: alternately along an axis, towards a corner or the middle of an edge, and in a random
+/// direction. Some rays are bounded.
 pub fn rays(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     let mut rng = Rng::new(seed);
     (0..4 * count)
@@ -93,7 +94,7 @@ pub fn rays(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
         .collect()
 }
 
-/// Rays into any mesh, from a camera outside, in Morton order over its picture.
+/// Rays into any mesh, from a camera outside, in Morton order of the pixels.
 pub fn view(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     let (mut lo, mut hi) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
     for &vertex in mesh.vertices() {
@@ -144,7 +145,7 @@ fn vector(point: [i32; 3]) -> Vec3 {
     Vec3::from_array(point.map(|x| x as f32))
 }
 
-/// Twelve triangles.
+/// The twelve triangles of a cube.
 fn cube(lo: [i32; 3], hi: [i32; 3]) -> Vec<[[i32; 3]; 3]> {
     let mut triangles = Vec::new();
     for axis in 0..3 {

@@ -12,7 +12,7 @@ use gpu_check::{Checks, Gpu, GpuError, probe};
 #[derive(Parser)]
 #[command(version, about)]
 struct Arguments {
-    /// Part of the name of the adapter; the fastest one without it.
+    /// Part of the name of the adapter. [default: the fastest adapter]
     #[arg(long, global = true)]
     adapter: Option<String>,
     #[command(subcommand)]
@@ -21,71 +21,71 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Every kernel on trees and decision tapes, event by event.
+    /// Compare every kernel with the oracle on trees and decision tapes, event by event.
     Tapes {
-        /// Number of trees, each with a tape of its own.
+        /// Number of trees, each with its own tape.
         #[arg(long, default_value_t = 2048)]
         trees: usize,
         /// Seed of the trees and tapes.
         #[arg(long, default_value_t = 1)]
         seed: u64,
     },
-    /// Every kernel on rays: made scenes, or files.
+    /// Check every kernel on rays through generated scenes or files.
     Rays {
-        /// Meshes (PLY, OBJ); the made scenes without any.
+        /// Mesh files (PLY, OBJ). [default: generated scenes]
         scenes: Vec<PathBuf>,
-        /// Rays of each scene.
+        /// Number of rays through each scene.
         #[arg(long, default_value_t = 7000)]
         rays: usize,
     },
-    /// Exact closest hits: what is certain on the device, the rest on the CPU; compared with the exact tracer.
+    /// Find exact closest hits on the device, settle uncertain rays on the CPU, and compare with the exact tracer.
     Exact {
-        /// Meshes (PLY, OBJ); made ones without any.
+        /// Mesh files (PLY, OBJ). [default: generated scenes]
         scenes: Vec<PathBuf>,
-        /// Rays of each scene.
+        /// Number of rays through each scene.
         #[arg(long, default_value_t = 7000)]
         rays: usize,
     },
-    /// Hash tables made on the device, certified on the CPU.
+    /// Build hash tables on the device, and certify them on the CPU.
     Hash {
-        /// Meshes (PLY, OBJ); made ones without any.
+        /// Mesh files (PLY, OBJ). [default: generated scenes]
         scenes: Vec<PathBuf>,
     },
-    /// Times of all kernels by turns, as lines of CSV.
+    /// Measure all kernels interleaved, and print the times as CSV.
     Bench {
-        /// Meshes (PLY, OBJ); a made one without any.
+        /// Mesh files (PLY, OBJ). [default: a generated scene]
         scenes: Vec<PathBuf>,
-        /// Rays of a set.
+        /// Number of rays of a set.
         #[arg(long, default_value_t = 4_194_304)]
         rays: usize,
-        /// Views of the camera.
+        /// Number of camera views.
         #[arg(long, default_value_t = 3)]
         views: u64,
-        /// Passes that are not counted.
+        /// Warm-up passes, which are not counted.
         #[arg(long, default_value_t = 50)]
         warm_up: usize,
-        /// Passes that are.
+        /// Measured passes.
         #[arg(long, default_value_t = 100)]
         passes: usize,
-        /// Kernels with wgpu's run-time checks. Software devices always have them.
+        /// Enable wgpu's run-time checks. Software devices always have them.
         #[arg(long)]
         checked: bool,
-        /// A folder for a dated record: `DATE-gpu.md`, the lines as `.csv`, a picture as `.svg`.
+        /// Write a dated record into this folder: `DATE-gpu.md`, the lines as `.csv`, a chart as `.svg`.
         #[arg(long)]
         record: Option<PathBuf>,
     },
-    /// What the arithmetic of the device does.
+    /// Print the properties of the device's arithmetic.
     Probe,
-    /// Answer the conformance suite as a kernel does: an implementation for `stackless conform`.
+    /// Answer the conformance suite with a kernel: an implementation for `stackless conform`.
     Suite {
-        /// The kernel, by its full name.
+        /// Full name of the kernel.
         #[arg(long, default_value = "hashed/64")]
         kernel: String,
-        /// A mistake in it, by its name.
+        /// Plant a bug of this name.
         #[arg(long)]
         planted: Option<String>,
     },
-    /// Kernels with a mistake each: all have to be caught by `tapes`.
+    /// Run kernels with a planted bug each. All bugs must be caught.
     Planted {
         /// Number of trees.
         #[arg(long, default_value_t = 1024)]
@@ -99,7 +99,7 @@ fn main() -> ExitCode {
         Ok(gpu) => gpu,
         Err(error) => return failed(&error),
     };
-    // The suite's adapter speaks with a runner.
+    // The adapter of the suite writes to a runner, without other output.
     if let Command::Suite { kernel, planted } = &arguments.command {
         return match commands::suite(&gpu, kernel, planted.as_deref()) {
             Ok(()) => ExitCode::SUCCESS,
@@ -123,7 +123,7 @@ fn main() -> ExitCode {
 fn ended(error: &GpuError) -> ExitCode {
     let code = failed(error);
     if matches!(error, GpuError::Timeout(_)) {
-        // To give the device back is to wait for it.
+        // Skips destructors, which would wait for the device.
         std::process::exit(error.exit_code().into());
     }
     code
@@ -134,7 +134,7 @@ fn failed(error: &GpuError) -> ExitCode {
     ExitCode::from(error.exit_code())
 }
 
-/// Whether all was as it should be.
+/// Returns whether all checks passed.
 fn run(arguments: &Arguments, gpu: &Gpu) -> Result<bool, GpuError> {
     match &arguments.command {
         Command::Tapes { trees, seed } => commands::tapes(gpu, *trees, *seed),
@@ -142,7 +142,7 @@ fn run(arguments: &Arguments, gpu: &Gpu) -> Result<bool, GpuError> {
         Command::Exact { scenes, rays } => commands::exact(gpu, scenes, *rays),
         Command::Hash { scenes } => commands::hash(gpu, scenes),
         Command::Bench { scenes, rays, views, warm_up, passes, checked, record } => {
-            // Software devices miscompile loops that are not bounded.
+            // Software devices miscompile unbounded loops.
             let checks = if *checked || gpu.is_software() { Checks::All } else { Checks::None };
             let setting = Setting { rays: *rays, views: *views, warm_up: *warm_up, passes: *passes, checks };
             commands::bench(gpu, scenes, setting, record.as_deref())

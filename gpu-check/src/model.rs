@@ -1,4 +1,4 @@
-//! The ray kernels' arithmetic on the CPU, operation by operation, as searches that the library's traversals run.
+//! The arithmetic of the ray kernels on the CPU, operation by operation, as searches for the library's traversals.
 
 mod eight;
 mod two;
@@ -10,13 +10,13 @@ use stackless_bvh::geom::{Ray, Triangle};
 
 use crate::probe::Arithmetic;
 
-/// The end of rays that have none.
+/// The end of unbounded rays.
 pub const END: f32 = 1e38;
 
-/// Components of a direction below the reciprocal of this are taken to be 0 by the box test.
+/// The box test treats smaller direction components than the reciprocal of this as 0.
 pub const CLAMPED_RECIPROCAL: f32 = f32::from_bits((80 + 127) << 23);
 
-/// What a kernel writes for a ray: triangle (`u32::MAX` for none), distance, weights.
+/// The result of a ray: triangle (`u32::MAX` for none), distance, weights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Found {
     /// Index of the triangle in the mesh.
@@ -40,25 +40,25 @@ impl Found {
     }
 }
 
-/// A ray as kernels read it, 12 words.
+/// A ray in the format of kernels, 12 words.
 pub fn ray_words(ray: &Ray) -> [u32; 12] {
     let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
     let [ix, iy, iz] = reciprocals(ray);
     [ox, oy, oz, ray.tmin(), dx, dy, dz, ray.tmax().min(END), ix, iy, iz, 0.0].map(f32::to_bits)
 }
 
-/// Whether the box test takes a component of the ray's direction to be 0.
+/// Whether the box test treats a component of the ray's direction as 0.
 pub fn has_parallel(ray: &Ray) -> bool {
     reciprocals(ray).iter().any(|i| i.abs() == CLAMPED_RECIPROCAL)
 }
 
 fn reciprocals(ray: &Ray) -> [f32; 3] {
-    // Without -0: a component of 0 has a positive reciprocal.
+    // -0 becomes 0, so a component of 0 has a positive reciprocal.
     let of = |d: f32| (1.0 / (d + 0.0)).clamp(-CLAMPED_RECIPROCAL, CLAMPED_RECIPROCAL);
     ray.direction().to_array().map(of)
 }
 
-/// What all searches of a ray share: `ray.wgsl`, `triangle_single.wgsl`, and the test of a box.
+/// The common part of all searches of a ray: `ray.wgsl`, `triangle_single.wgsl`, and the test of a box.
 #[derive(Debug)]
 struct OfRay<'a> {
     arithmetic: &'a Arithmetic,
@@ -78,7 +78,8 @@ impl<'a> OfRay<'a> {
         Self { arithmetic, ray: *ray, inverse_near: moved(-2), inverse_far: moved(2), parallel, found }
     }
 
-    /// Where the ray enters and leaves a box, of which `planes` says the lower and the upper plane along an axis.
+    /// Distances at which the ray enters and leaves a box. `planes` returns the lower and the upper plane along an
+    /// axis.
     fn slab(&self, planes: impl Fn(usize) -> [f32; 2]) -> [f32; 2] {
         let (mut near, mut far) = (self.ray.tmin(), self.found.t);
         for k in 0..3 {
@@ -96,9 +97,9 @@ impl<'a> OfRay<'a> {
         [near, far]
     }
 
-    /// Tests a triangle; whether it is the best hit by now.
+    /// Tests a triangle. Returns whether it is the best hit so far.
     fn meets(&mut self, Triangle([v0, v1, v2]): &Triangle, index: u32) -> bool {
-        // Numbers are 0 or 2^-100 and more [BAND-1], so differences are no subnormal numbers.
+        // Numbers are 0 or at least 2^-100 [BAND-1], so differences are not subnormal.
         let (arithmetic, e1, e2, s) = (self.arithmetic, *v1 - *v0, *v2 - *v0, self.ray.origin() - *v0);
         let d = self.ray.direction();
         let (p, q) = (arithmetic.cross(d, e2), arithmetic.cross(s, e1));
@@ -108,7 +109,7 @@ impl<'a> OfRay<'a> {
         if !(size > 0.0 && u >= 0.0 && v >= 0.0 && arithmetic.kept(arithmetic.kept(size - u) - v) >= 0.0) {
             return false;
         }
-        // +0 for 0 of either sign.
+        // Returns +0 for 0 of either sign.
         let divide = |a: f32, b: f32| if a == 0.0 { 0.0 } else { arithmetic.kept(a / b) + 0.0 };
         let (t, best) = (divide(arithmetic.dot(e2, q), det), &self.found);
         let is_best = t >= self.ray.tmin() && (t < best.t || t == best.t && index <= best.triangle);

@@ -1,4 +1,4 @@
-//! Planted bugs: one change of text each, which the comparison has to see.
+//! Planted bugs: each is one edit of a kernel's text that the comparison must detect.
 
 mod shaders;
 
@@ -14,16 +14,16 @@ use crate::{Gpu, GpuError, probe, rays};
 
 pub use shaders::{SHADERS, Shader, ShownBy};
 
-/// The mistakes that are shown by one of the tests.
+/// The bugs of one kind of test.
 pub fn shown_by(by: ShownBy) -> impl Iterator<Item = &'static Shader> {
     SHADERS.iter().filter(move |bug| bug.by == by)
 }
 
-/// Runs the ray kernel with the bug over the made scenes. The answer is how many closest hits are not those of rational
-/// arithmetic.
+/// Runs the ray kernel with the bug over the generated scenes. Returns the number of closest hits that differ from
+/// rational arithmetic.
 ///
 /// # Errors
-/// As [`hunt`].
+/// The errors of [`hunt`].
 pub fn hunt_rays(gpu: &Gpu, bug: &Shader) -> Result<usize, GpuError> {
     let kernel = kernel_of(bug)?;
     let arithmetic = probe::probe(gpu)?;
@@ -47,33 +47,34 @@ pub fn hunt_rays(gpu: &Gpu, bug: &Shader) -> Result<usize, GpuError> {
     Ok(seen)
 }
 
-/// The mistake of a name.
+/// The bug of this name.
 ///
 /// # Errors
-/// [`GpuError::Data`] if there is none.
+/// [`GpuError::Data`] for an unknown name.
 pub fn named(name: &str) -> Result<&'static Shader, GpuError> {
     SHADERS.iter().find(|bug| bug.name == name).ok_or_else(|| GpuError::Data(format!("no mistake {name:?}")))
 }
 
-/// The kernel for trees of two children of a full name.
+/// The kernel for trees of two children with this full name.
 ///
 /// # Errors
-/// [`GpuError::Data`] if there is none.
+/// [`GpuError::Data`] for an unknown name.
 pub fn by_name(name: &str) -> Result<Kernel, GpuError> {
     let kernel = (1..=3).flat_map(Kernel::all).find(|kernel| kernel.full_name() == name);
     kernel.ok_or_else(|| GpuError::Data(format!("no kernel {name}")))
 }
 
-/// The kernel that a bug is in.
+/// The kernel of a bug.
 fn kernel_of(bug: &Shader) -> Result<Kernel, GpuError> {
     let wide = Kernel::wide().into_iter().find(|kernel| kernel.full_name() == bug.kernel);
     wide.map_or_else(|| by_name(bug.kernel), Ok)
 }
 
-/// Runs the kernel with the bug, over trees of two children or wide ones. The answer is how many searches show it.
+/// Runs the kernel with the bug, over trees of two children or wide trees. Returns the number of searches that reveal
+/// the bug.
 ///
 /// # Errors
-/// [`GpuError`]; [`GpuError::Data`] where the text has nothing to change.
+/// [`GpuError`]; [`GpuError::Data`] if the edit does not apply.
 pub fn hunt(gpu: &Gpu, (batch, wide): &(Batch, WideBatch), bug: &Shader) -> Result<usize, GpuError> {
     let kernel = kernel_of(bug)?;
     if kernel.is_wide() { hunt_along(gpu, wide, kernel, bug) } else { hunt_along(gpu, batch, kernel, bug) }

@@ -1,4 +1,4 @@
-//! What a device's arithmetic does. Which model on the CPU is the same follows from it.
+//! Probes a device's arithmetic, to select the corresponding model on the CPU.
 
 use std::fmt;
 
@@ -8,11 +8,11 @@ use stackless_bvh::generate::{Rng, Source as _};
 use crate::launch::{groups, params};
 use crate::{Access, Checks, Gpu, GpuError, Pass};
 
-/// The arithmetic of a device, as far as samples show it.
+/// The arithmetic of a device, according to samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(clippy::struct_excessive_bools, reason = "seven questions with yes or no")]
 pub struct Arithmetic {
-    /// `fma` rounds once; else twice.
+    /// `fma` rounds once; otherwise twice.
     pub fuses: bool,
     /// Differences and products are rounded to nearest.
     pub rounds: bool,
@@ -20,11 +20,11 @@ pub struct Arithmetic {
     pub contracts: bool,
     /// Quotients are rounded to nearest.
     pub divides: bool,
-    /// Quotients are so after one step with the remainder.
+    /// Quotients are rounded to nearest after one step with the remainder.
     pub divides_refined: bool,
     /// Results below the least normal number are kept.
     pub keeps_subnormals: bool,
-    /// `min(0, -0)` is what a comparison and a select give.
+    /// `min(0, -0)` equals a comparison and a select.
     pub min_is_select: bool,
 }
 
@@ -32,7 +32,7 @@ impl Arithmetic {
     /// Whether kernels need the step after a division.
     ///
     /// # Errors
-    /// [`GpuError::Feature`] if even that does not help.
+    /// [`GpuError::Feature`] if that step is not enough.
     pub fn refines(&self) -> Result<bool, GpuError> {
         match (self.divides, self.divides_refined) {
             (true, _) => Ok(false),
@@ -41,13 +41,13 @@ impl Arithmetic {
         }
     }
 
-    /// What the device makes of a result: 0, where it flushes.
+    /// The device's version of a result: 0 if the device flushes it.
     #[inline]
     pub fn kept(&self, x: f32) -> f32 {
         if self.keeps_subnormals || x.abs() >= f32::MIN_POSITIVE || x.is_nan() { x } else { 0.0_f32.copysign(x) }
     }
 
-    /// Multiply-add as the device does it.
+    /// Multiply-add of the device.
     #[inline]
     pub fn fma(&self, a: f32, b: f32, c: f32) -> f32 {
         self.kept(if self.fuses { a.mul_add(b, c) } else { self.kept(a * b) + c })
@@ -87,10 +87,10 @@ impl fmt::Display for Arithmetic {
     }
 }
 
-/// Asks the device.
+/// Probes the device.
 ///
 /// # Errors
-/// [`GpuError`]; [`GpuError::Feature`] where `fma` is now one thing and now another.
+/// [`GpuError`]; [`GpuError::Feature`] if `fma` is inconsistent.
 pub fn probe(gpu: &Gpu) -> Result<Arithmetic, GpuError> {
     let samples = samples();
     let words: Vec<u32> = samples.iter().flatten().map(|x| x.to_bits()).collect();
@@ -127,7 +127,7 @@ pub fn probe(gpu: &Gpu) -> Result<Arithmetic, GpuError> {
 
 const ORDINARY: usize = 1 << 16;
 
-/// Numbers of all signs and magnitudes that are met in scenes, then three special cases.
+/// Numbers of all signs and magnitudes in scenes, then three special cases.
 fn samples() -> Vec<[f32; 4]> {
     let mut rng = Rng::new(7);
     let mut number = || {
@@ -136,7 +136,7 @@ fn samples() -> Vec<[f32; 4]> {
         f32::from_bits((rng.below(2) as u32) << 31 | exponent << 23 | mantissa)
     };
     let mut samples: Vec<[f32; 4]> = (0..ORDINARY).map(|_| [number(), number(), number(), 0.0]).collect();
-    // Sums that cancel show whether a product was rounded.
+    // Cancelling sums reveal whether a product was rounded.
     for sample in samples.iter_mut().step_by(4) {
         sample[2] = -(sample[0] * sample[1]);
     }

@@ -1,4 +1,4 @@
-//! Rays: the hits of every kernel, held to a model of the same arithmetic and to the exact tracer.
+//! Rays: the hits of every kernel, compared with a model of its arithmetic and with the exact tracer.
 
 use std::fmt;
 
@@ -16,30 +16,30 @@ use crate::scene::{Eight, Query, Scene, rays_words};
 use crate::tapes::Edit;
 use crate::{Checks, Gpu, GpuError, Pipeline};
 
-/// How a kernel's hits compare.
+/// The comparison of a kernel's hits.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Rays.
+    /// Number of rays.
     pub rays: usize,
-    /// Rays whose hit is not that of the model, bit for bit. Kernels of another order are held to it only where
+    /// Number of rays whose hit differs from the model, bit for bit. Kernels with another order match the model only if
     /// arithmetic is exact.
     pub mismatches: usize,
-    /// The first of them.
+    /// The first mismatch.
     pub first: Option<String>,
 }
 
-/// Single precision against the truth.
+/// Single precision compared with the truth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Errors {
-    /// Rays that hit and are said to miss.
+    /// Hitting rays without a hit.
     pub missed: usize,
-    /// Rays that miss and are said to hit.
+    /// Missing rays with a hit.
     pub invented: usize,
     /// Hits of another triangle.
     pub other: usize,
-    /// Greatest number of floats between the distances of one triangle.
+    /// Maximum number of floats between the distances of equal triangles.
     pub ulps: u32,
-    /// Hits that are not the same, bit for bit.
+    /// Hits that differ in any bit.
     pub differences: usize,
 }
 
@@ -50,7 +50,7 @@ impl fmt::Display for Errors {
     }
 }
 
-/// The hits of a kernel, whose text may be edited.
+/// The hits of a kernel with an edited text.
 ///
 /// # Errors
 /// [`GpuError`].
@@ -67,7 +67,7 @@ pub fn trace(
     launch(gpu, scene, kernel, &pipeline, rays)
 }
 
-/// The hits of a compiled kernel, for this scene or any.
+/// The hits of a compiled kernel, for this scene or for any scene.
 ///
 /// # Errors
 /// [`GpuError`].
@@ -78,12 +78,12 @@ pub fn launch(
     pipeline: &Pipeline,
     rays: &[Ray],
 ) -> Result<Vec<Found>, GpuError> {
-    // What no kernel writes, so that a ray that is left out shows.
+    // A value that no kernel writes, so that omitted rays are detected.
     let [words, _] = run(gpu, scene, kernel, pipeline, rays, 0xdead_beef, 4)?;
     Ok(words.as_chunks().0.iter().map(|&words| Found::of_words(words)).collect())
 }
 
-/// The four words of each ray, which hold `unwritten` before the kernel runs, and its `work` words, which hold 0.
+/// Returns the four words of each ray, initially `unwritten`, and the kernel's `work` words, initially 0.
 pub(crate) fn run(
     gpu: &Gpu,
     scene: &Scene,
@@ -113,7 +113,7 @@ pub(crate) fn run(
     gpu.run_and_read(&[buffers.pass(kernel, pipeline, count)], [(&results, 4 * rays.len()), (&worked, work)])
 }
 
-/// What kernels should find, by the model. Those that visit the same nodes in the same order share their answers.
+/// The expected hits of kernels, by the model. Kernels with equal visits share answers.
 #[derive(Debug)]
 pub struct Models<'a> {
     arithmetic: &'a Arithmetic,
@@ -125,7 +125,7 @@ pub struct Models<'a> {
 }
 
 impl<'a> Models<'a> {
-    /// Of these rays through the hierarchies of a scene, of two children and of eight.
+    /// For these rays through the hierarchies of a scene, of two children and of eight.
     pub const fn new(
         arithmetic: &'a Arithmetic,
         (bvh, eight): (&'a Bvh, Option<&'a Eight>),
@@ -135,13 +135,13 @@ impl<'a> Models<'a> {
         Self { arithmetic, bvh, eight, rays, any, known: Vec::new() }
     }
 
-    /// What a kernel should find.
+    /// The expected hits of a kernel.
     ///
     /// # Errors
-    /// [`GpuError::Data`] without the hierarchy that the kernel is for.
+    /// [`GpuError::Data`] without the hierarchy of the kernel.
     pub fn of(&mut self, kernel: &Kernel) -> Result<&[Found], GpuError> {
         let Self { arithmetic, bvh, eight, rays, any, ref mut known } = *self;
-        // None of eight children prunes.
+        // No kernel of eight children prunes.
         let pruning = kernel.method().map(|method| method.test().pruning());
         if let Some(at) = known.iter().position(|&(of, _)| of == pruning) {
             return Ok(&known[at].1);
@@ -156,7 +156,7 @@ impl<'a> Models<'a> {
     }
 }
 
-/// Compares with the model.
+/// Compares hits with the model.
 pub fn compare(kernel: &Kernel, found: &[Found], expected: &[Found], any: bool, rays: &[Ray]) -> Report {
     let agrees = |found: &Found, expected: &Found| {
         if any && !kernel.keeps_order() { found.is_hit() == expected.is_hit() } else { same(found, expected) }
@@ -167,13 +167,13 @@ pub fn compare(kernel: &Kernel, found: &[Found], expected: &[Found], any: bool, 
     Report { rays: found.len(), mismatches: wrong.len(), first }
 }
 
-/// Whether two results are the same, bit for bit; of a miss only that it is one.
+/// Whether two results are equal, bit for bit. All misses are equal.
 fn same(a: &Found, b: &Found) -> bool {
     let bits = |found: &Found| (found.t.to_bits(), found.weights.map(f32::to_bits));
     a.triangle == b.triangle && (!a.is_hit() || bits(a) == bits(b))
 }
 
-/// Compares with the truth about the closest hits; of any hits, only whether there are some.
+/// Compares closest hits with the truth. For any-hit queries, only compares whether there is a hit.
 pub fn errors(found: &[Found], truth: &[Option<Hit>], any: bool) -> Errors {
     let mut errors = Errors::default();
     for (found, truth) in found.iter().zip(truth) {

@@ -1,4 +1,4 @@
-//! A dated record of a measurement: a text, the lines as CSV, and the picture.
+//! A dated record of a measurement: a text, the lines as CSV, and a chart.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -10,30 +10,30 @@ use crate::bench::{HEADER, Rays, Row, Setting};
 use crate::summary::{Line, Summary};
 use crate::{Checks, GpuError};
 
-/// A measurement and where it was made.
+/// A measurement with its device.
 #[derive(Debug)]
 pub struct Record<'a> {
     /// Name of the device and its driver.
     pub device: String,
-    /// What its arithmetic does.
+    /// The device's arithmetic.
     pub arithmetic: String,
-    /// How much was measured.
+    /// The size of the measurement.
     pub setting: Setting,
     /// All lines.
     pub rows: &'a [Row],
-    /// What each scene and set of rays costs in memory, a line each.
+    /// Memory traffic of each scene and set of rays, a line each.
     pub traffic: &'a [String],
 }
 
-/// What `hashed` should reach, as a share of the best stack's speed: the averages of Binder & Keller 2016.
+/// Goals of `hashed`, relative to the best stack's speed: the averages of Binder & Keller 2016.
 const GOALS: [(Rays, f64); 3] = [(Rays::Primary, 1.08), (Rays::DiffuseAny, 1.20), (Rays::Diffuse, 1.17)];
 
 impl Record<'_> {
-    /// Writes `DATE-gpu.md`, `.csv` and `.svg` into a folder, with a number where there is such a record already. The
-    /// answer is the path of the text.
+    /// Writes `DATE-gpu.md`, `.csv` and `.svg` into a folder, with a number if that record exists. Returns the path of
+    /// the text.
     ///
     /// # Errors
-    /// [`GpuError::Data`] where a file cannot be written.
+    /// [`GpuError::Data`] if a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, GpuError> {
         let wrong = |error: std::io::Error| GpuError::Data(format!("{}: {error}", folder.display()));
         std::fs::create_dir_all(folder).map_err(wrong)?;
@@ -83,9 +83,9 @@ impl Record<'_> {
     }
 }
 
-/// Year, month and day, from the days since the year 1970 began, in the Gregorian calendar.
+/// Year, month and day of the Gregorian calendar, from the number of days since 1970.
 fn date(days: u64) -> String {
-    // Years from March, so that a leap day is the last of its year, in eras of 400.
+    // Years start in March, so a leap day is the last day of its year. An era has 400 years.
     let days = days + 719_468;
     let (era, day) = (days / 146_097, days % 146_097);
     let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;

@@ -16,19 +16,19 @@ use crate::model::{CLAMPED_RECIPROCAL, has_parallel, ray_words};
 use crate::probe::Arithmetic;
 use crate::{Gpu, GpuError};
 
-/// Greatest magnitude of coordinates.
+/// Maximum magnitude of coordinates.
 const MOST: f32 = (1_u64 << 40) as f32;
-/// Least magnitude of numbers that are not 0: they and their differences are then normal, or 0.
+/// Minimum magnitude of nonzero numbers: they and their differences are then normal, or 0.
 const LEAST: f32 = f32::from_bits((127 - 100) << 23);
-/// Least and greatest magnitude of the largest component of a direction.
+/// Minimum and maximum magnitude of the largest component of a direction.
 const DIRECTIONS: [f32; 2] = [1.0 / (1 << 20) as f32, (1 << 20) as f32];
 
-/// A hierarchy of two children, perhaps one of eight, with records and tables for all kernels.
+/// A hierarchy of two children, and optionally one of eight, with records and tables for all kernels.
 #[derive(Debug)]
 pub struct Scene {
     /// By kind of link: nodes and leaves.
     records: [[wgpu::Buffer; 2]; 2],
-    /// Printed and tight: displacements, cells, and what a kernel has to know of them.
+    /// Printed and tight: displacements, cells, and parameters.
     tables: [([wgpu::Buffer; 2], TableHead); 2],
     root: u32,
     depth: u32,
@@ -36,27 +36,27 @@ pub struct Scene {
     eight: Option<eight::OnDevice>,
 }
 
-/// A hierarchy as one kernel reads it.
+/// A hierarchy in the format of one kernel.
 #[derive(Debug)]
 pub struct Placed<'a> {
     /// Nodes, leaves, displacements and cells.
     pub buffers: [&'a wgpu::Buffer; 4],
-    /// Depth in edges; of eight children, levels.
+    /// Depth in edges; for eight children, in levels.
     pub depth: u32,
     head: &'a TableHead,
     root: u32,
 }
 
-/// What rays are asked.
+/// The query of rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Query<'a> {
     /// The parts of the search that test triangles.
     pub triangles: &'a str,
-    /// Whether any hit will do.
+    /// Whether it is an any-hit query.
     pub any: bool,
     /// Whether some ray has a component that counts as 0.
     pub parallel: bool,
-    /// Whether divisions need a step more.
+    /// Whether divisions need an additional step.
     pub refines: bool,
 }
 
@@ -67,7 +67,7 @@ impl Scene {
     /// Uploads a hierarchy.
     ///
     /// # Errors
-    /// [`GpuError::Data`] for coordinates that kernels do not take, and what else a device may refuse.
+    /// [`GpuError::Data`] for unsupported coordinates; other errors of the device.
     pub fn new(gpu: &Gpu, bvh: &Bvh) -> Result<Self, GpuError> {
         if !takes(bvh) {
             return Err(GpuError::Data(format!("coordinates beyond {MOST}, or below {LEAST} and not 0")));
@@ -100,10 +100,10 @@ impl Scene {
         })
     }
 
-    /// Uploads the hierarchy of eight children over the same mesh too.
+    /// Also uploads the hierarchy of eight children over the mesh.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn with_eight(self, gpu: &Gpu, bvh: WideBvh) -> Result<Self, GpuError> {
         Ok(Self { eight: Some(eight::OnDevice::new(gpu, bvh)?), ..self })
     }
@@ -118,11 +118,11 @@ impl Scene {
         self.eight.as_ref().map(|eight| &eight.records)
     }
 
-    /// The hierarchy that a kernel is for: its words carry the depth, and it does not prune by leaves that hold parts of
-    /// triangles. `[DISJOINT-5]` `[WIDE-14]`
+    /// The hierarchy for a kernel. The kernel's words must support the depth. A kernel that prunes by leaves needs
+    /// whole triangles in them. `[DISJOINT-5]` `[WIDE-14]`
     ///
     /// # Errors
-    /// [`GpuError::Data`] says why a kernel is for none. Then it is not launched.
+    /// [`GpuError::Data`] with the reason why the kernel cannot be launched.
     pub fn placed(&self, kernel: &Kernel) -> Result<Placed<'_>, GpuError> {
         let refused = |why: String| Err(GpuError::Data(format!("{}: {why}", kernel.full_name())));
         let depth = match &self.eight {
@@ -145,7 +145,7 @@ impl Scene {
         Ok(Placed { buffers: [nodes, leaves, displacements, cells], depth, head, root: self.root })
     }
 
-    /// The text of a kernel for scenes of up to this depth, which reads the [`head`](Placed::head) of each.
+    /// The text of a kernel for scenes of up to this depth. The kernel reads the [`head`](Placed::head) of each scene.
     pub fn source_for_any(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32) -> String {
         let head = [include_str!("../wgsl/head.wgsl"), include_str!("../wgsl/scene_read.wgsl")].concat();
         source(gpu, kernel, query, depth, head)
@@ -178,13 +178,13 @@ impl Placed<'_> {
         source(gpu, kernel, query, depth, search)
     }
 
-    /// What kernels that are compiled for any scene read of this one, behind the rays.
+    /// The words of this scene for kernels that are compiled for any scene. They follow the rays.
     pub const fn head(&self) -> [u32; 16] {
         self.head.words(self.root, 0)
     }
 }
 
-/// The text of a kernel, after what it knows of its scene.
+/// The text of a kernel, after the constants of its scene.
 fn source(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32, mut search: String) -> String {
     let _ = writeln!(search, "const CLAMPED_RECIPROCAL = {}u;", CLAMPED_RECIPROCAL.to_bits());
     for (name, value) in [("ANY_HIT", query.any), ("HAS_PARALLEL", query.parallel), ("REFINES", query.refines)] {
@@ -196,7 +196,7 @@ fn source(gpu: &Gpu, kernel: &Kernel, query: Query<'_>, depth: u32, mut search: 
 }
 
 impl Query<'_> {
-    /// The closest hit of these rays, or any, in single precision.
+    /// The closest-hit or any-hit query of these rays, in single precision.
     ///
     /// # Errors
     /// [`GpuError::Feature`] for a device whose divisions have no model.
@@ -206,16 +206,16 @@ impl Query<'_> {
     }
 }
 
-/// Whether kernels take a hierarchy `[BAND-1]`: coordinates and planes that are 0 or from 2^-100 to 2^40.
+/// Whether kernels support a hierarchy `[BAND-1]`: coordinates and planes that are 0 or from 2^-100 to 2^40.
 pub fn takes(bvh: &Bvh) -> bool {
-    // Planes of parts of triangles are no coordinates of corners.
+    // Planes of split triangles are not coordinates of corners.
     let planes = bvh.nodes().iter().flat_map(|node| node.planes).flatten();
     let corners = bvh.triangles().iter().flat_map(|held| held.shape.0).flat_map(|corner| corner.to_array());
     planes.chain(corners).all(is_taken)
 }
 
-/// Whether kernels take a ray `[BAND-1]`: an origin as above, a direction whose largest component is within 2^-20 and
-/// 2^20, and no other number that is below 2^-100 and not 0.
+/// Whether kernels support a ray `[BAND-1]`: an origin with such coordinates, a direction whose largest component is
+/// within 2^-20 and 2^20, and no other number below 2^-100 except 0.
 pub fn takes_ray(ray: &Ray) -> bool {
     let size = ray.direction().abs().max_element();
     let is_normal = |x: f32| x == 0.0 || x.abs() >= LEAST;
@@ -232,7 +232,7 @@ fn is_taken(x: f32) -> bool {
 /// The words of rays.
 ///
 /// # Errors
-/// [`GpuError::Data`] for a ray that kernels do not take.
+/// [`GpuError::Data`] for an unsupported ray.
 pub fn rays_words(rays: &[Ray]) -> Result<Vec<u32>, GpuError> {
     let mut words = Vec::with_capacity(12 * rays.len());
     for (i, ray) in rays.iter().enumerate() {
@@ -245,7 +245,7 @@ pub fn rays_words(rays: &[Ray]) -> Result<Vec<u32>, GpuError> {
 }
 
 impl Records {
-    /// Boxes, children and triangles of a hierarchy.
+    /// Writes boxes, children and triangles of a hierarchy.
     fn fill(&mut self, bvh: &Bvh, addresses: &Addresses) {
         self.nodes = vec![0; 16 * bvh.nodes().len()];
         self.leaves = Vec::new();
@@ -265,7 +265,7 @@ impl Records {
         }
     }
 
-    /// The links of a kind, into records and terminators.
+    /// Writes the links of a kind into records and terminators.
     fn link(&mut self, bvh: &Bvh, addresses: &Addresses, kind: Links) {
         let rows = links(bvh, addresses, kind);
         for i in 0..bvh.nodes().len() as u32 {

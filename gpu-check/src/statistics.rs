@@ -2,7 +2,7 @@
 
 use stackless_bvh::generate::{Rng, Source as _};
 
-/// The median; 0 of nothing.
+/// The median; 0 without values.
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -14,13 +14,13 @@ pub fn median(values: &[f64]) -> f64 {
     }
 }
 
-/// The median distance from the median.
+/// The median absolute deviation from the median.
 pub fn deviation(values: &[f64]) -> f64 {
     let middle = median(values);
     median(&values.iter().map(|value| (value - middle).abs()).collect::<Vec<_>>())
 }
 
-/// The median of the ratios `above[i] / below[i]`, and its interval of 95 % by 1,000 resamplings (bootstrap).
+/// The median of the ratios `above[i] / below[i]`, with its 95 % interval by 1,000 bootstrap resamplings.
 pub fn ratio(above: &[f64], below: &[f64]) -> [f64; 3] {
     const RESAMPLINGS: usize = 1000;
     let ratios: Vec<f64> = above.iter().zip(below).map(|(a, b)| a / b).collect();

@@ -1,4 +1,4 @@
-//! What a table of measurements comes to, and its picture.
+//! The summary of a table of measurements, and its chart.
 
 use std::fmt::{self, Write as _};
 
@@ -11,25 +11,25 @@ pub struct Line {
     pub rays: Rays,
     /// The kernel.
     pub kernel: String,
-    /// To the best stack kernel of each cell.
+    /// Relative to the best stack kernel of each cell.
     pub to_best: f64,
-    /// To the best of while-while, speculative and persistent.
+    /// Relative to the best of while-while, speculative and persistent.
     pub to_paper: f64,
-    /// To the best stack kernel of as many children.
+    /// Relative to the best stack kernel with an equal number of children.
     pub to_own: f64,
 }
 
 /// All kernels over all cells.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
-    /// By rays, then by kernel as measured.
+    /// By rays, then by kernel in the order of measurement.
     pub lines: Vec<Line>,
-    /// Greatest difference, over the cells, between one kernel measured twice, as a share.
+    /// Maximum relative difference between two measurements of one kernel, over the cells.
     pub noise: f64,
 }
 
 impl Summary {
-    /// Of these rows.
+    /// Summarises these rows.
     pub fn of(rows: &[Row]) -> Self {
         let mut lines = Vec::new();
         for rays in Rays::ALL {

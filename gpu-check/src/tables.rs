@@ -1,4 +1,4 @@
-//! Perfect hash tables made on the device, and certified on the CPU.
+//! Perfect hash tables, built on the device and certified on the CPU.
 
 use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Sizing, certify};
 use stackless_bvh::tree::{Keys, Node, Topology};
@@ -8,27 +8,27 @@ use crate::layout::halves;
 use crate::tapes::{Edit, unchanged};
 use crate::{Access, Checks, Gpu, GpuError, Pass, Pipeline};
 
-/// A certified table, and what it took.
+/// A certified table, with the cost of its construction.
 #[derive(Debug)]
 pub struct Built {
     /// The table.
     pub hash: PerfectHash,
-    /// Nanoseconds on the device, where it has a clock.
+    /// Nanoseconds on the device, if it has a clock.
     pub nanoseconds: Option<f64>,
-    /// Sizes that were tried.
+    /// Number of tried sizes.
     pub attempts: u32,
 }
 
-/// A key and the entry that stands for its node.
+/// A key and the entry of its node.
 type Keyed = (u64, u32);
 
-/// Times that H grows by an eighth. `[HASH-2]`
+/// Maximum number of times that H grows by an eighth. `[HASH-2]`
 const GROWTHS: u32 = 16;
 
-/// Builds one table, as [`Builder::build`].
+/// Builds one table with a new [`Builder`].
 ///
 /// # Errors
-/// As [`Builder::build`].
+/// The errors of [`Builder::build`].
 pub fn build(gpu: &Gpu, tree: &impl Topology, options: Options) -> Result<Built, GpuError> {
     Builder::new(gpu, &unchanged)?.build(tree, options)
 }
@@ -40,7 +40,7 @@ pub struct Builder<'g> {
     stages: [Pipeline; 4],
 }
 
-/// Displacements and cells as the device has made them, and what that took.
+/// Displacements and cells from the device, with the cost of their construction.
 #[derive(Debug)]
 pub struct Made {
     /// Displacements, and the entries of keys that are alone in their buckets.
@@ -53,10 +53,10 @@ pub struct Made {
 }
 
 impl<'g> Builder<'g> {
-    /// Compiles the passes, whose text may be edited.
+    /// Compiles the passes, with an edited text.
     ///
     /// # Errors
-    /// What the device may refuse.
+    /// Errors of the device.
     pub fn new(gpu: &'g Gpu, edit: Edit<'_>) -> Result<Self, GpuError> {
         let stage = |stage: u32| {
             let parts = [
@@ -74,10 +74,10 @@ impl<'g> Builder<'g> {
         Ok(Self { gpu, stages: [stage(0)?, stage(1)?, stage(2)?, stage(3)?] })
     }
 
-    /// Builds the table of a tree of up to 63 edges, and has it certified.
+    /// Builds the table of a tree of up to 63 edges, and certifies it.
     ///
     /// # Errors
-    /// [`GpuError::Data`] where the plain function has no displacements (the seeded one is the CPU's), or where the
+    /// [`GpuError::Data`] if the plain function has no displacements (only the CPU builds seeded tables), or if the
     /// table is wrong.
     pub fn build(&self, tree: &impl Topology, options: Options) -> Result<Built, GpuError> {
         let made = self.make(tree, options, None)?;
@@ -89,11 +89,11 @@ impl<'g> Builder<'g> {
         Ok(Built { hash, nanoseconds, attempts })
     }
 
-    /// The tables of a tree of up to 63 edges, of exactly these sizes D and H if they are given; `None` if there are
-    /// none, or none was found.
+    /// Builds the tables of a tree of up to 63 edges, with the sizes D and H if they are given. Returns `None` if no
+    /// displacements exist or were found.
     ///
     /// # Errors
-    /// What the device may refuse; [`GpuError::Data`] for keys that are too long or sizes that cannot be.
+    /// Errors of the device; [`GpuError::Data`] for keys that are too long, and for invalid sizes.
     pub fn make(
         &self,
         tree: &impl Topology,
@@ -135,7 +135,7 @@ impl<'g> Builder<'g> {
     }
 }
 
-/// Keys of a set with their entries, by a walk over the tree.
+/// The keys of a set with their entries, from a walk over the tree.
 fn keyed(tree: &impl Topology, key_set: KeySet) -> Vec<Keyed> {
     let (hashed, keys) = (key_set.slots(tree), Keys::of(tree));
     let mut keyed = Vec::new();
@@ -152,13 +152,13 @@ fn keyed(tree: &impl Topology, key_set: KeySet) -> Vec<Keyed> {
     keyed
 }
 
-/// The word that stands for a node. `[HASH-5]`
+/// The entry of a node. `[HASH-5]`
 pub const fn entry(node: Node) -> u32 {
     let index = node.index() as u32;
     if node.is_leaf() { !index } else { 1 << 31 | index }
 }
 
-/// The power of two that is nearest in ratio.
+/// The nearest power of two, by ratio.
 fn nearest_power(count: u64) -> u64 {
     let power = count.next_power_of_two();
     if power > 1 && count * count < power * power / 2 { power / 2 } else { power }
@@ -209,7 +209,7 @@ impl Grouped {
         Ok(grouped)
     }
 
-    /// The tables for so many cells; nothing if some bucket has no displacement.
+    /// Builds the tables with `size` cells. Returns `None` if some bucket has no displacement.
     fn place(&self, Builder { gpu, stages }: &Builder<'_>, size: u64) -> Result<Option<Made>, GpuError> {
         let size = u32::try_from(size).ok().filter(|size| (1..=1 << 31).contains(size));
         let Some(size) = size else {
@@ -253,7 +253,7 @@ impl Grouped {
     }
 }
 
-/// Runs passes, and says how long they took where there is a clock.
+/// Runs passes, and returns their time if the device has a clock.
 fn run(gpu: &Gpu, passes: &[Pass<'_>]) -> Result<Option<f64>, GpuError> {
     if passes.is_empty() {
         return Ok(Some(0.0));
@@ -265,7 +265,7 @@ fn run(gpu: &Gpu, passes: &[Pass<'_>]) -> Result<Option<f64>, GpuError> {
     }
 }
 
-/// The library's table of these words, if it is right.
+/// The library's table with these words, if it is correct.
 fn checked(
     tree: &impl Topology,
     options: Options,
@@ -281,7 +281,7 @@ fn checked(
     let narrow = u32::from(tree.depth() < 32);
     let sizes = [keys, direct, displacements.len() as u32, cells.len() as u32];
     let header = [1, set, reach[0], reach[1], sizing, narrow].into_iter().chain(sizes).chain([0; 2 + 2]);
-    // The seed of long keys, of which there are none.
+    // The fold seed of long keys, which do not occur.
     let header = header.chain([0; 2]);
     let mut bytes = b"SBVHHASH".to_vec();
     bytes.extend(header.chain(displacements).chain(cells).flat_map(u32::to_le_bytes));

@@ -1,4 +1,4 @@
-//! Decision tapes: every kernel, without floats, event by event, against the oracle.
+//! Decision tapes: compares every kernel with the oracle event by event, without floats.
 
 mod batch;
 mod events;
@@ -13,59 +13,59 @@ use crate::kernel::{Kernel, Record, Shape};
 use crate::launch::{Buffers, compile, params};
 use crate::{Checks, Gpu, GpuError};
 
-/// Searches on the device, and what kernels have to record of them.
+/// Searches on the device, and their expected events.
 pub trait Searches {
-    /// How many there are.
+    /// Number of searches.
     fn searches(&self) -> usize;
 
-    /// Depth of the tree of a search; of a wide tree, levels.
+    /// Depth of the tree of a search; for a wide tree, levels.
     fn depth(&self, search: usize) -> u32;
 
-    /// The name of a search, by which it can be made again.
+    /// The description of a search, sufficient to generate it again.
     fn describe(&self, search: usize) -> String;
 
     /// The node at an address of a kernel.
     fn node_at(&self, search: usize, address: u32) -> Option<Node>;
 
-    /// Nodes of the tree of a search: no traversal makes more visits.
+    /// Number of nodes of the tree of a search, the maximum number of visits.
     fn nodes(&self, search: usize) -> usize;
 
-    /// What the events and the outcome of a search should be.
+    /// The expected events and outcome of a search.
     fn expected(&self, search: usize, kernel: &Kernel) -> Expected;
 
-    /// Nodes, leaves, displacements and cells, as a kernel reads them.
+    /// Nodes, leaves, displacements and cells, in the format of a kernel.
     fn buffers(&self, kernel: &Kernel) -> [&wgpu::Buffer; 4];
 
-    /// What a kernel has to know of each search, 16 words.
+    /// The parameters of each search, 16 words.
     fn task_words(&self, kernel: &Kernel, searches: &[usize]) -> Vec<u32>;
 }
 
-/// What became of one kernel.
+/// The results of one kernel.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     /// Name of the kernel.
     pub name: String,
-    /// Searches that were compared.
+    /// Number of compared searches.
     pub compared: usize,
-    /// Searches over trees that are too deep for its words, which it is not given.
+    /// Number of omitted searches, over trees that are too deep for its words.
     pub too_deep: usize,
     /// Visits of the searches without a mismatch.
     pub visits: usize,
-    /// Searches with another trace or another outcome.
+    /// Number of searches with a wrong trace or outcome.
     pub mismatches: usize,
-    /// The first of them.
+    /// The first mismatch.
     pub first: Option<Difference>,
 }
 
-/// Changes the text of a kernel before it is compiled: how bugs are planted.
+/// Edits the text of a kernel before it is compiled, to plant bugs.
 pub type Edit<'a> = &'a dyn Fn(String) -> String;
 
-/// Leaves it as it is.
+/// Returns the text unchanged.
 pub fn unchanged(text: String) -> String {
     text
 }
 
-/// Runs a kernel over all searches of a batch that it can carry, and compares.
+/// Runs a kernel over all supported searches of a batch, and compares the results.
 ///
 /// # Errors
 /// [`GpuError`].
@@ -110,7 +110,7 @@ fn run(
     let tasks = gpu.buffer("searches", &batch.task_words(kernel, searches))?;
     let count = searches.len() as u32;
     let results = gpu.buffer("results", &vec![u32::MAX; 8 * searches.len()])?;
-    // And a few more, for what goes wrong.
+    // Some additional visits show traversals that visit too many nodes.
     let most_visits = searches.iter().map(|&i| batch.nodes(i)).max().unwrap_or(0) + 16;
     let event_words = if record == Record::Events { 1 + RECORDED * most_visits } else { 4 };
     let work = gpu.zeros("work", event_words)?;

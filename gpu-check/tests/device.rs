@@ -1,4 +1,4 @@
-//! The checks of the command on the device that is here. Without one they fail: nothing has been checked then.
+//! The checks of the command, on the available device. Without a device the tests fail, because nothing is checked.
 
 use std::process::Command;
 use std::time::Duration;
@@ -72,7 +72,7 @@ fn wide_kernels_have_the_events_of_the_oracle() {
     }
 }
 
-/// Links that lead nowhere: whatever a kernel reads, it ends, and what it has visited is not what the oracle visits.
+/// With invalid links, every kernel still terminates, and its visits differ from those of the oracle.
 #[test]
 fn wide_kernels_end_on_any_links() {
     let gpu = gpu();
@@ -87,7 +87,7 @@ fn wide_kernels_end_on_any_links() {
             (ancestor, "return address;"),
             (ancestor, "return 0x7ffffff0u - address;"),
         ] {
-            // Not all find an ancestor by the record.
+            // Some kernels do not find ancestors by the record.
             let is_read = from == child || ["wide-trail", "wide-record"].contains(&kernel.name);
             let report = compare(&gpu, &batch, &kernel, &|text| text.replace(from, to)).unwrap();
             assert_eq!(report.mismatches > 0, is_read, "{}: {to}", report.name);
@@ -161,8 +161,8 @@ fn a_mismatch_is_shown_event_by_event() {
     assert!(text.contains("wide ") && text.contains("expected backtrack ") && text.contains("(end, leaves)"), "{text}");
 }
 
-/// Two searches for each of three scenes, 20,000 rays in all, by every kernel of one and two words and every one of eight
-/// children. [WIDE-2] [WIDE-3] [WIDE-6]
+/// Two searches for each of three scenes, 20,000 rays in total, by every kernel of one and two words and every kernel
+/// of eight children. [WIDE-2] [WIDE-3] [WIDE-6]
 #[test]
 fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
     let gpu = gpu();
@@ -192,8 +192,8 @@ fn hits_are_those_of_the_model_and_of_rational_arithmetic() {
     }
 }
 
-/// Coordinates that no float arithmetic is exact on: the answers are those of the exact tracer all the same, and would
-/// not be without the bounds. [BAND-2] [BAND-3] [BAND-4] [BAND-5] [BAND-6]
+/// No float arithmetic is exact on these coordinates. Answers equal those of the exact tracer, and without the bounds
+/// they differ. [BAND-2] [BAND-3] [BAND-4] [BAND-5] [BAND-6]
 #[test]
 fn certain_and_settled_hits_are_exact() {
     let gpu = gpu();
@@ -249,7 +249,7 @@ fn tables_from_the_device_are_certified() {
         let built = tables::build(&gpu, &tree, Table::Tight.options());
         assert!(built.is_ok() || tree.depth() > 63, "{built:?}");
     }
-    // The chain for which the printed sizes have no displacements: said, and no endless search.
+    // The printed sizes have no displacements for this chain: an error, and no endless search.
     let chain = Family::Comb.tree(&mut Exhaustive::new(), 32);
     let options = Options { key_set: KeySet::All, sizing: Sizing::Printed };
     assert!(matches!(tables::build(&gpu, &chain, options), Err(GpuError::Data(_))));
@@ -268,7 +268,7 @@ fn a_small_bench_has_all_kernels_and_the_noise() {
         Err(_) => traffic += 1,
     })
     .unwrap();
-    // Of the trails of wide trees the narrowest.
+    // The trail of wide trees with the fewest words.
     let kernels = Kernel::all(1).len() + ["wide-stack", "wide-trail", "wide-record", "wide-hashed/64"].len();
     assert_eq!((rows.len(), traffic), (3 * (kernels + 1), 6));
     assert!(rows.iter().all(|row| row.nanoseconds > 0.0 && row.to_best[0] > 0.0));
@@ -287,11 +287,11 @@ fn what_the_device_refuses_is_an_error() {
     let gpu = gpu();
     let refused = gpu.compile("nonsense", "fn main( {", &[Access::Read], Checks::All);
     assert!(matches!(refused, Err(GpuError::Refused { .. })), "{refused:?}");
-    // Whatever the limit is, this is beyond it, and nothing is allocated.
+    // This exceeds every limit, and nothing is allocated.
     let too_large = gpu.zeros("all memory there is", 1 << 46);
     assert!(matches!(too_large, Err(GpuError::Limit { .. })), "{too_large:?}");
     assert_eq!(too_large.unwrap_err().exit_code(), 3);
-    // It works on.
+    // The device still works.
     assert!(probe::probe(&gpu).is_ok());
 }
 

@@ -1,4 +1,4 @@
-//! Devices that are lost, too small, or not there: a message, a code, and no waiting.
+//! Lost, missing and insufficient devices: an error message, an exit code, and no waiting.
 
 use std::process::Command;
 use std::time::{Duration, Instant};
@@ -11,7 +11,7 @@ use gpu_check::{Gpu, GpuError, probe};
 use stackless_suite::{Answer, Implementation as _, Suite};
 use wgpu::Limits;
 
-/// What a limit is for, if it is one.
+/// The name of a limit error.
 fn limit(error: GpuError) -> String {
     assert_eq!(error.exit_code(), 3, "{error}");
     match error {
@@ -36,7 +36,7 @@ fn a_limit_that_is_too_small_is_named() {
     let kernel = by_name("stack-workgroup").unwrap();
     let refused = compare(&narrow, &batch, &kernel, &unchanged).unwrap_err();
     assert_eq!(limit(refused), "stack-workgroup: bytes of a work group");
-    // As an adapter it carries what fits.
+    // As an adapter it supports smaller trees.
     let adapter = Adapter::new(&narrow, kernel, None).unwrap();
     assert_eq!(adapter.hello().limits.max_depth, Some(64));
 }
@@ -47,7 +47,7 @@ fn more_than_an_adapter_has_is_unsupported() {
     assert!(matches!(error, GpuError::NoAdapter(_)) && error.exit_code() == 3, "{error:?}");
 }
 
-/// A buffer that is within no limit that is checked beforehand: the device itself refuses it.
+/// A buffer within all limits that are checked in advance: the device itself refuses it.
 #[test]
 fn memory_that_is_not_there_is_an_error() {
     let gpu = Gpu::open(None).unwrap();
@@ -57,7 +57,7 @@ fn memory_that_is_not_there_is_an_error() {
     assert!(gpu.read(&buffer, 4).is_ok());
 }
 
-/// Answers of one case, again and again: the device goes after the first.
+/// Answers one case repeatedly, and loses the device after the first answer.
 fn answers_after(gpu: &Gpu, lose: impl Fn()) -> (Vec<Answer>, Option<GpuError>) {
     let mut adapter = Adapter::new(gpu, Kernel::all(1)[0], None).unwrap();
     let suite = Suite::shipped().unwrap();
@@ -97,7 +97,7 @@ fn a_device_that_does_not_answer_is_not_waited_for() {
 fn without_a_driver_nothing_passes() {
     for command in ["tapes", "rays", "suite", "bench"] {
         let mut program = Command::new(env!("CARGO_BIN_EXE_gpu-check"));
-        // What the loader reads in place of the list of drivers.
+        // The Vulkan loader reads this instead of the list of drivers.
         let none = [("VK_DRIVER_FILES", "no-such-driver.json"), ("VK_ICD_FILENAMES", "no-such-driver.json")];
         let output = program.arg(command).envs(none).output().unwrap();
         let [said, error] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());

@@ -1,4 +1,5 @@
-//! Kernels as implementations that the conformance suite asks: what each passes, and which mistakes the suite sees.
+//! Kernels as implementations of the conformance suite: the cases that each kernel passes, and the bugs that the suite
+//! detects.
 
 use std::sync::LazyLock;
 use std::time::Duration;
@@ -9,10 +10,10 @@ use gpu_check::planted::{self, SHADERS, Shader, ShownBy};
 use gpu_check::suite::Adapter;
 use stackless_suite::{Implementation as _, Profile, RunError, Runner, Suite, SuiteCase, Waivers, judge};
 
-/// Read once: every mistake asks a part of it.
+/// Loaded once, because every bug runs a part of it.
 static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::shipped().unwrap());
 
-/// Cases that a kernel passes, by its full name. It fails none; all others it does not name.
+/// The number of cases that a kernel passes, by its full name. It fails no case, and names no other profiles.
 const PASSED: [(&str, usize); 29] = [
     ("stack", 1128),
     ("stack-workgroup", 1128),
@@ -26,7 +27,7 @@ const PASSED: [(&str, usize); 29] = [
     ("hashed", 1413),
     ("hashed-disjoint", 1601),
     ("stack-persistent", 1128),
-    // In another order: no traces.
+    // Another order: no traces.
     ("stack-speculative", 309),
     ("laine-0/64", 1369),
     ("laine-1/64", 1369),
@@ -63,7 +64,7 @@ fn runner(suite: &Suite, command: Vec<String>) -> Runner<'_> {
     }
 }
 
-/// The cases of a profile that are about a clause.
+/// The cases of a profile for a clause.
 fn about(profile: &str, clause: &str) -> Suite {
     let is_about = |case: &&SuiteCase| case.clauses.iter().any(|it| it == clause);
     let asked = SUITE.profiles.iter().filter(|asked| asked.name() == profile);
@@ -76,7 +77,7 @@ fn about(profile: &str, clause: &str) -> Suite {
     Suite { profiles: profiles.collect() }
 }
 
-/// How many cases a kernel with a mistake fails.
+/// Number of cases that a kernel with a bug fails.
 fn failed(gpu: &Gpu, bug: &'static Shader, suite: &Suite) -> usize {
     let mut adapter = Adapter::new(gpu, planted::by_name(bug.asked).unwrap(), Some(bug)).unwrap();
     let hello = adapter.hello();
@@ -113,7 +114,7 @@ fn every_kernel_conforms_in_what_it_names() {
 fn planted_bugs_fail_cases_of_their_clauses() {
     let gpu = Gpu::open(None).unwrap();
     for bug in SHADERS.iter().filter(|bug| !bug.profile.is_empty()) {
-        // Of what is certain, and of how a traversal comes by its answers, no case is about the clause itself.
+        // For certain results, and for the method of a traversal, no case cites the clause itself.
         let clause = match (bug.by, bug.passes) {
             (ShownBy::Exact, _) | (ShownBy::Rays, Some(_)) => "EXACT-1",
             (ShownBy::Tapes, Some(_)) => "ORACLE-1",
@@ -124,7 +125,7 @@ fn planted_bugs_fail_cases_of_their_clauses() {
     }
 }
 
-/// The mistakes are adapters too.
+/// Kernels with bugs are adapters, too.
 #[test]
 fn a_planted_bug_is_an_adapter() {
     let suite = about("key/u64", "TRAIL-3");

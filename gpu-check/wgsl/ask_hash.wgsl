@@ -1,4 +1,4 @@
-// Questions of the level `hash` of the conformance suite, by the functions that traversals look keys up with.
+// Questions of the level `hash` of the conformance suite, answered by the lookup functions of traversals.
 
 @group(0) @binding(0) var<storage, read> displacements: array<u32>;
 @group(0) @binding(1) var<storage, read> cells: array<u32>;

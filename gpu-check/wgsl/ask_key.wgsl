@@ -1,8 +1,8 @@
-// One question of the level `key` of the conformance suite, by the functions of words that traversals use.
+// A question of the level `key` of the conformance suite, answered by the word functions of traversals.
 
 // Operation, number, low and high half of two words.
 @group(0) @binding(0) var<storage, read> asks: array<vec4<u32>>;
-// A number, nothing, halves of two words.
+// A number, an unused word, halves of two words.
 @group(0) @binding(1) var<storage, read_write> answers: array<vec4<u32>>;
 
 const NOTHING = 0xffffffffu;

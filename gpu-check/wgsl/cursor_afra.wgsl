@@ -1,4 +1,4 @@
-// [AFRA-1]: a trail, and a climb along parents; then the sibling. Links are (parent, sibling).
+// [AFRA-1]: a trail, and a climb along parents, then the sibling. Links are (parent, sibling).
 
 var<private> trail: Word;
 // One more than the levels of the last backtrack, 0 after a descent.

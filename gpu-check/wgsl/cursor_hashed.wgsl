@@ -1,12 +1,12 @@
 // [HASHED-1]: key, trail, the register of the most recently postponed node (`latest`), uncles, perfect hash. Links are
-// (uncle, grand uncle, grand grand uncle). With FILLS_AT_LOAD the register is filled whenever a record is loaded, as H
-// Algorithm 1 has it; else when the search turns back, and on a descent where a node gets out of reach [REGISTER-2].
-// With PRUNES there is a second trail [DISJOINT-1].
+// (uncle, grand uncle, grand grand uncle). With FILLS_AT_LOAD each load of a record fills the register, as in H
+// Algorithm 1. Otherwise the register is filled on backtracks, and on a descent past the reach of a node [REGISTER-2].
+// PRUNES adds a second trail [DISJOINT-1].
 
 var<private> key: Word;
 var<private> trail: Word;
 var<private> disjoint: Word;
-// 0 where not set.
+// 0 if empty.
 var<private> latest: u32;
 // One more than the levels of the last backtrack, 0 after a descent.
 var<private> levels_back: u32;
@@ -20,7 +20,7 @@ fn cursor_start(root: u32) {
     levels_back = 0u;
 }
 
-// Takes the lowest postponed node that a record names; `reach` masks the bits of the trail that it does.
+// Takes the lowest postponed node that a record names. `reach` masks the corresponding bits of the trail.
 fn fill(links: vec3<u32>, reach: u32) {
     let pending = word_low(trail) & reach;
     var named = select(0u, links.z, (pending & 8u) != 0u);
@@ -39,7 +39,7 @@ fn cursor_descend(record: Record, descent: u32) -> bool {
     if (descent & BOTH) != 0u {
         latest = second_child(record, descent);
     } else if !FILLS_AT_LOAD {
-        // Only the grand uncle gets out of reach, where nothing nearer is postponed.
+        // Only the grand uncle leaves the reach, and only if no nearer node is postponed.
         let leaving = latest == 0u && (word_low(trail) & 7u) == 4u;
         latest = select(latest, record.links.y, leaving);
     }
@@ -77,7 +77,7 @@ fn cursor_backtrack(links: vec3<u32>, reach: u32) {
     }
 }
 
-// [DISJOINT-2], [DISJOINT-3]: before the register is filled from the leaf.
+// [DISJOINT-2], [DISJOINT-3]: before the leaf fills the register.
 fn cursor_prune() {
     let kept = word_without(trail, disjoint);
     if word_is_zero(kept) || word_zeros(kept) != word_zeros(trail) {

@@ -1,11 +1,11 @@
-// [LAINE-1]: a trail of level bits, the highest for the root; restarts from there, and a short stack of the SHORT
+// [LAINE-1]: a trail of level bits, the highest for the root; restarts from the root, and a short stack of the SHORT
 // latest postponed nodes.
 
 var<private> laine_root: u32;
 var<private> trail: Word;
-// The bit of the level at which the node was chosen.
+// The level bit of the choice of this node.
 var<private> level: Word;
-// The bit of the level at which the last backtrack changed sides; 0 before the first.
+// The level bit at which the last backtrack changed sides; 0 before the first backtrack.
 var<private> pop_level: Word;
 
 var<private> ring: array<u32, RING_SIZE>;
@@ -24,7 +24,7 @@ fn cursor_start(root: u32) {
 
 fn cursor_load(links: vec3<u32>, reach: u32) {}
 
-// False where the node wanted two children when it was first asked and now wants one, at the level of the last pop.
+// Returns false if the node first wanted two children and now wants one, at the level of the last pop.
 fn cursor_descend(record: Record, descent: u32) -> bool {
     let below = word_half(level);
     if (descent & BOTH) != 0u {
@@ -50,7 +50,7 @@ fn cursor_descend(record: Record, descent: u32) -> bool {
 }
 
 fn cursor_backtrack(links: vec3<u32>, reach: u32) {
-    // Clear the bits below the level, those of the path that is left, and add 1 at the level.
+    // Clear the bits below the level, which belong to the old path, and add 1 at the level.
     trail = word_add(word_and(trail, word_negate(level)), level);
     pop_level = word_and(trail, word_negate(trail));
     if !word_is_zero(word_and(trail, WORD_TOP)) {
@@ -69,6 +69,6 @@ fn cursor_backtrack(links: vec3<u32>, reach: u32) {
 fn cursor_prune() {}
 
 fn cursor_is_restarting() -> bool {
-    // Bits of levels are single, so that their zeros compare them.
+    // Level bits are single bits, so their zeros compare them.
     return !word_is_zero(pop_level) && word_zeros(level) > word_zeros(pop_level);
 }

@@ -1,5 +1,5 @@
-// [STACK-1]. With KEEPS_DISTANCES each postponed node has beside it where it begins, and those that begin beyond the
-// end of the search are dropped when they are popped [ORACLE-3].
+// [STACK-1]. With KEEPS_DISTANCES the stack also has the distance at which each postponed node begins. Popped nodes
+// that begin beyond the end of the search are dropped [ORACLE-3].
 
 const ENTRY = select(1u, 2u, KEEPS_DISTANCES);
 

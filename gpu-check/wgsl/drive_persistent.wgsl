@@ -1,4 +1,5 @@
-// Persistent invocations with dynamic fetch (Aila & Laine 2009): whoever is done takes the next task.
+// Persistent invocations with dynamic fetch (Aila & Laine 2009): an invocation that finishes a task takes the next
+// task.
 
 @compute @workgroup_size(WORKGROUP)
 fn main(@builtin(local_invocation_index) index: u32) {

@@ -1,4 +1,4 @@
-// While-while (Aila & Laine 2009): one task for each invocation.
+// While-while (Aila & Laine 2009): one task per invocation.
 
 @compute @workgroup_size(WORKGROUP)
 fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) index: u32) {

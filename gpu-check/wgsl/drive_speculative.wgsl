@@ -1,6 +1,6 @@
-// Speculative while-while (Aila & Laine 2009): the first leaf is put aside, and the search for nodes goes on until
-// there is a second one, or all lanes have one. Leaves are looked into later, so the order of visits is another; hits
-// are the same.
+// Speculative while-while (Aila & Laine 2009). The first leaf is postponed, and the search for nodes continues until
+// there is a second leaf, or all lanes have a leaf. Leaves are tested later, so the order of visits differs, but not
+// the hits.
 
 @compute @workgroup_size(WORKGROUP)
 fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) index: u32) {

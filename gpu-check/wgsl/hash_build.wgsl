@@ -1,10 +1,10 @@
-// Construction of a perfect hash (Binder & Keller 2016, Section 2.2.2) in passes: STAGE says which. Each invocation of
-// the first and the third has a key, of the others a bucket.
+// Construction of a perfect hash (Binder & Keller 2016, Section 2.2.2) in passes, selected by STAGE. An invocation of
+// the first and the third pass has a key, an invocation of the other passes a bucket.
 
-// Keys: 64 bits, the address that an entry holds, nothing.
+// Keys: 64 bits, the address for the entry, an unused word.
 @group(0) @binding(0) var<storage, read> keys: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read_write> counts: array<atomic<u32>>;
-// Where the keys of a bucket begin in `order`, and how many are there so far.
+// Starts of buckets in `order`, and the numbers of keys there so far.
 @group(0) @binding(2) var<storage, read_write> starts: array<u32>;
 @group(0) @binding(3) var<storage, read_write> fills: array<atomic<u32>>;
 @group(0) @binding(4) var<storage, read_write> order: array<u32>;
@@ -12,7 +12,7 @@
 @group(0) @binding(6) var<storage, read_write> cells: array<atomic<u32>>;
 // Keys that share a bucket, buckets without a displacement, keys of the largest bucket.
 @group(0) @binding(7) var<storage, read_write> totals: array<atomic<u32>>;
-// Invocations, those in a row, keys of the buckets that are placed now, D - 1; H, and floor((2^64 - 1) / H).
+// Invocations, invocations in a row, keys of the buckets that are placed now, D - 1; H, and floor((2^64 - 1) / H).
 @group(0) @binding(8) var<uniform> params: array<vec4<u32>, 2>;
 
 var<private> DIRECT_MASK: u32;
@@ -44,17 +44,17 @@ fn sort_key(key: u32) {
     }
 }
 
-// Whether the cell was empty; it holds the address then.
+// Returns whether the cell was empty. It then holds the address.
 fn claim(cell: u32, address: u32) -> bool {
     var result = atomicCompareExchangeWeak(&cells[cell], 0u, address);
-    // It may fail although the cell is empty.
+    // A weak exchange may fail although the cell is empty.
     while !result.exchanged && result.old_value == 0u {
         result = atomicCompareExchangeWeak(&cells[cell], 0u, address);
     }
     return result.exchanged;
 }
 
-// Claims the cells of all keys of a bucket, or none.
+// Claims the cells of all keys of a bucket, or no cell.
 fn claim_all(start: u32, count: u32, displacement: u32) -> bool {
     var claimed = 0u;
     while claimed < count {
@@ -73,8 +73,8 @@ fn claim_all(start: u32, count: u32, displacement: u32) -> bool {
     return false;
 }
 
-// Buckets of one size side by side: which of them gets a cell that two want is not determined, so neither are the
-// tables.
+// Places buckets of one size concurrently. The winner of a contested cell is not determined, so the tables are not
+// determined, either.
 fn place(at: u32) {
     if atomicLoad(&counts[at]) != params[0].z {
         return;

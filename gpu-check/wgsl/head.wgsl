@@ -1,4 +1,4 @@
-// What a traversal has to know of its tree, where it is not compiled in: four pieces of `tasks`.
+// The parameters of a tree that is not compiled in: four pieces of `tasks`.
 
 var<private> root: u32;
 var<private> DIRECT_MASK: u32;
@@ -11,7 +11,7 @@ var<private> IS_NARROW: bool;
 var<private> SEED: vec2<u32>;
 var<private> FOLD_SEED: vec2<u32>;
 
-// The second word of the first piece is the search's.
+// The second word of the first piece belongs to the search.
 fn read_head(at: u32) {
     let first = tasks[at];
     let second = tasks[at + 1u];

@@ -1,6 +1,6 @@
-// One step of any traversal: the visit of an inner node, and of a leaf. All drivers are made of these.
+// One step of any traversal: the visit of an inner node, and of a leaf. All drivers use these functions.
 
-// Bits of the trail whose nodes the record of an inner node names.
+// Bits of the trail whose nodes are named in the record of an inner node.
 const INNER_REACH = 6u;
 
 fn visit_inner() {

@@ -1,4 +1,4 @@
-// What the device's arithmetic does: fused or not, divisions rounded or not, subnormal numbers kept or not.
+// Probes the device's arithmetic: fused multiply-add, rounded divisions, subnormal numbers.
 
 @group(0) @binding(0) var<storage, read> inputs: array<vec4<f32>>;
 @group(0) @binding(1) var<storage, read_write> outputs: array<vec4<u32>>;

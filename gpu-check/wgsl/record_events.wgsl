@@ -1,6 +1,6 @@
-// The event trace itself: nine words for each visit, into `work` behind the queue, as many as fit.
+// Records events: nine words for each visit, into `work` after the queue, while there is space.
 
-// Visits, and steps, which are more where a traversal restarts.
+// Visits, and steps. A traversal that restarts has more steps than visits.
 var<private> visits: u32;
 var<private> steps: u32;
 
@@ -39,7 +39,7 @@ fn record_end() -> vec2<u32> {
     return vec2(0u, 0u);
 }
 
-// A traversal that does not end is ended.
+// Ends traversals that do not terminate.
 fn record_is_full() -> bool {
     return steps >= params.z;
 }

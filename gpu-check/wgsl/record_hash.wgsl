@@ -1,6 +1,6 @@
-// The event trace as a number: five words for each visit, folded into two.
+// Records the hash of the events: five words for each visit, folded into two.
 
-// Visits, and steps, which are more where a traversal restarts.
+// Visits, and steps. A traversal that restarts has more steps than visits.
 var<private> visits: u32;
 var<private> steps: u32;
 var<private> trace_hash: vec2<u32>;
@@ -35,7 +35,7 @@ fn record_end() -> vec2<u32> {
     return trace_hash;
 }
 
-// A traversal that does not end is ended.
+// Ends traversals that do not terminate.
 fn record_is_full() -> bool {
     return steps >= params.z;
 }

@@ -1,4 +1,4 @@
-// Nothing is recorded.
+// Records nothing.
 
 fn record_begin() {}
 

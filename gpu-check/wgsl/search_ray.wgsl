@@ -1,5 +1,5 @@
-// The search of a ray through nodes of two children. Records hold lo and hi of x and y of the left box, of the right
-// one, and of z of both.
+// The search of a ray through nodes of two children. Records hold lo and hi of x and y of the left box, then of the
+// right box, then of z of each box.
 
 // Distances at which the ray enters and leaves a box, within its interval.
 fn slab(lo: vec3<f32>, hi: vec3<f32>) -> vec2<f32> {
@@ -13,7 +13,7 @@ fn slab(lo: vec3<f32>, hi: vec3<f32>) -> vec2<f32> {
     return vec2(near, far);
 }
 
-// Begin of the left and of the right box, as of the last record that was decided on.
+// Begin of the left and of the right box of the last record.
 var<private> nears: vec2<f32>;
 
 fn decide(record: Record) -> u32 {
@@ -29,7 +29,7 @@ fn decide(record: Record) -> u32 {
     return descent | select(0u, DISJOINT, apart);
 }
 
-// Where the second child of a descent begins.
+// The distance at which the second child of a descent begins.
 fn begins(record: Record, descent: u32) -> u32 {
     return bitcast<u32>(select(nears.y, nears.x, (descent & RIGHT) != 0u));
 }

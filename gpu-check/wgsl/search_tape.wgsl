@@ -6,8 +6,7 @@ var<private> any_hit: bool;
 // The closest hit, or the first: distance and slot.
 var<private> found: bool;
 var<private> best: vec2<u32>;
-// Whether a leaf has ended the search, and whether the best hit is in the leaf that was looked into last, within its
-// box.
+// Whether a leaf has ended the search, and whether the best hit is in the last tested leaf, within its box.
 var<private> stopped: bool;
 var<private> found_here: bool;
 
@@ -41,17 +40,17 @@ fn decide(record: Record) -> u32 {
     return descent | select(0u, DISJOINT, first_exit < second_enter);
 }
 
-// Where the second child of a descent begins.
+// The distance at which the second child of a descent begins.
 fn begins(record: Record, descent: u32) -> u32 {
     return select(record.right.x, record.left.x, (descent & RIGHT) != 0u);
 }
 
-// Where the search ends by now.
+// The current end of the search.
 fn end() -> u32 {
     return best.x;
 }
 
-// Looks into the leaf at an offset, and gives its links. A leaf holds (hit, exit, slot, 0), then its terminator.
+// Tests the leaf at an offset, and returns its links. A leaf holds (hit, exit, slot, 0), then its terminator.
 fn look_into(offset: u32) -> vec3<u32> {
     let cell = leaves[offset];
     if cell.x != NONE && (!found || cell.x < best.x || (cell.x == best.x && cell.z < best.y)) {

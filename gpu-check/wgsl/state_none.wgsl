@@ -1,4 +1,4 @@
-// Of a traversal whose state has none of what an event can show.
+// For traversals without the state that events record.
 
 fn cursor_levels() -> u32 {
     return 0u;

@@ -1,4 +1,4 @@
-// The stack in the memory of the work group, side by side with those of the other lanes.
+// The stack in the memory of the work group, next to the stacks of the other lanes.
 
 var<workgroup> stack: array<u32, STACK_SIZE * WORKGROUP>;
 

@@ -1,4 +1,4 @@
-// What lookups of all key words share.
+// The common part of lookups, for all key words.
 
 // The bijection of 32 bits (Wellons 2018) [HASH-7].
 fn mix_narrow(word: u32) -> u32 {
@@ -15,12 +15,12 @@ fn is_direct(entry: u32) -> bool {
     return (entry >> 31u) == 1u;
 }
 
-// Bit 30 is extended over the sign.
+// Bit 30 is the sign bit.
 fn direct_address(entry: u32) -> u32 {
     return bitcast<u32>(bitcast<i32>(entry << 1u) >> 1u);
 }
 
-// Modulo the number of cells, of what is below twice that.
+// A sum below twice the number of cells, modulo the number of cells.
 fn wrap(sum: u32) -> u32 {
     return min(sum, sum - TABLE_SIZE);
 }

@@ -1,4 +1,4 @@
-// The perfect hash of keys of more than one word [HASH-1]. Only the remainder takes numbers of 64 bits.
+// The perfect hash of keys of more than one word [HASH-1]. Only the remainder needs numbers of 64 bits.
 
 fn table_node(key: Word) -> u32 {
     let mixed = table_mixed(key);
@@ -9,7 +9,7 @@ fn table_node(key: Word) -> u32 {
     return cells[CELLS_AT + wrap(remainder(mixed) + displacement)];
 }
 
-// The key as 64 bits, or 32 where all keys of the tree are, after the bijection.
+// The key in 64 bits, or in 32 bits if all keys of the tree fit, after the bijection.
 fn table_mixed(key: Word) -> vec2<u32> {
     let folded = word_folded(key);
     if IS_NARROW {

@@ -1,11 +1,11 @@
-// Decision tapes: what the tape of a seed says of the children of each inner node, written into the records. The same
-// numbers as `generate::Tape::hashed`: the generator for the node with key k is SplitMix64 seeded with h(k), where
-// h(1) = mix(seed) and h(2k + b) = mix(h(k) ^ (b + 1)). A cell is a function of those above it, so each invocation
-// walks down from the root.
+// Decision tapes: writes the decisions of a seed's tape into the records of inner nodes. The numbers are those of
+// `generate::Tape::hashed`: the generator for the node with key k is SplitMix64 seeded with h(k), where h(1) =
+// mix(seed) and h(2k + b) = mix(h(k) ^ (b + 1)). A cell is a function of the cells above it, so each invocation walks
+// down from the root.
 
 @group(0) @binding(0) var<storage, read_write> nodes: array<vec4<u32>>;
 @group(0) @binding(1) var<storage, read_write> leaves: array<vec4<u32>>;
-// Of each inner node: address, depth, path below the root (96 bits, the last step lowest), kind, seed.
+// For each inner node: address, depth, path below the root (96 bits, the last step lowest), kind, seed.
 @group(0) @binding(2) var<storage, read> jobs: array<vec4<u32>>;
 @group(0) @binding(3) var<uniform> params: vec4<u32>;
 
@@ -22,7 +22,7 @@ const KIND_INTERVALS = 6u;
 const KIND_CLIPPED = 7u;
 const KIND_SCRIPT = 8u;
 
-// What a tape says of a node: distances at which it is entered, left and, if it is a leaf, hit.
+// The cell of a node: distances at which it is entered, left and, if it is a leaf, hit.
 struct Cell {
     enter: u32,
     exit: u32,
@@ -47,7 +47,7 @@ fn coin() -> bool {
     return below(2u) == 1u;
 }
 
-// The cells of the two children of a node, and whether its right one comes first.
+// The cells of the two children of a node, and whether the right child comes first.
 struct Drawn {
     children: array<Cell, 2>,
     right_first: bool,
@@ -127,7 +127,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     for (var level = 0u; level < depth; level++) {
         let at = depth - 1u - level;
         let right = (path[at >> 5u] >> (at & 31u)) & 1u;
-        // Nothing is drawn below what is missed.
+        // No numbers are drawn below a missed node.
         if !cell.miss {
             var drawn = draw(hash, kind, cell, level);
             cell = drawn.children[right];

@@ -1,7 +1,7 @@
-// A triangle test that says what is certain, by the error bounds of [BAND-2], [BAND-3] and [BAND-4]. What is not certain
-// ends the search, and the ray is settled elsewhere.
+// A triangle test that reports certain results, by the error bounds of [BAND-2], [BAND-3] and [BAND-4]. An uncertain
+// result ends the search, and the CPU settles the ray.
 //
-// U is 2^-24. FLOOR stands in for sizes so small that underflow would matter; what it is depends on the device.
+// U is 2^-24. FLOOR is a minimum size, so that underflow does not matter. It depends on the device.
 
 const U = 5.9604644775390625e-8;
 const UNCERTAIN = 0xfffffffeu;
@@ -20,8 +20,7 @@ fn largest(v: vec3<f32>) -> f32 {
     return greater(a.z, greater(a.y, a.x));
 }
 
-// The sign of any hit is all that counts with ANY_HIT; then a triangle that is uncertain does not matter if another is
-// not.
+// With ANY_HIT, an uncertain triangle does not matter if another triangle is certainly hit.
 fn doubt() {
     is_uncertain = true;
     stopped = stopped || !ANY_HIT;
@@ -53,7 +52,7 @@ fn test_triangle(at: u32) {
         doubt();
         return;
     }
-    // The line meets the interior. Where is the hit?
+    // The line meets the interior. The next step bounds the distance of the hit.
     let sign = select(1.0, -1.0, det < 0.0);
     let t_off = (((36.0 * U) * reach) * edge) * edge;
     let det_off = (((32.0 * U) * size) * edge) * edge;
@@ -63,7 +62,8 @@ fn test_triangle(at: u32) {
         doubt();
         return;
     }
-    // Divided by whichever end of the determinant is on the safe side; a quotient is off by less than 16 U of itself.
+    // The divisor is the end of the determinant on the safe side. The error of a quotient is below 16 U of the
+    // quotient.
     let low = above - t_off;
     let high = above + t_off;
     let first = low / select(below + det_off, below - det_off, low < 0.0);

@@ -1,4 +1,4 @@
-// Möller & Trumbore 1997 in single precision, without a sign that is trusted more than it deserves.
+// The test of Möller & Trumbore 1997 in single precision.
 
 fn begin_triangles() {}
 

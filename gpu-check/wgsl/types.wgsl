@@ -1,7 +1,7 @@
-// Nodes of two children: their records, and what a visit decides.
+// Nodes of two children: their records, and the decision of a visit.
 
-// An inner node, 64 bytes: what the search wants to know of the left child, of the right one, of both; then left and
-// right child and two links.
+// An inner node, 64 bytes: data of the search for the left child, for the right child, and for both children; then left
+// and right child and two links.
 struct Record {
     left: vec4<u32>,
     right: vec4<u32>,
@@ -10,7 +10,8 @@ struct Record {
     links: vec2<u32>,
 }
 
-// A descent, as bits: the right child comes first, both are wanted, any is, and they are disjoint.
+// A descent, as bits: the right child comes first, both children are wanted, any child is wanted, and the children are
+// disjoint.
 const RIGHT = 1u;
 const BOTH = 2u;
 const ANY = 4u;
@@ -21,7 +22,7 @@ fn fetch(address: u32) -> Record {
     return Record(nodes[address], nodes[address + 1u], nodes[address + 2u], last.xy, last.zw);
 }
 
-// [ORDER-1]: the preference counts only where both are wanted.
+// [ORDER-1]: the preference counts only if both children are wanted.
 fn descent_of(left: bool, right: bool, prefer_right: bool) -> u32 {
     let first_right = right && (!left || prefer_right);
     return select(0u, ANY, left || right) | select(0u, BOTH, left && right) | select(0u, RIGHT, first_right);

@@ -31,7 +31,7 @@ fn wide_multiply_high(a: vec2<u32>, b: vec2<u32>) -> u32 {
     return wide_add(wide_product(a.y, b.y), wide_add(vec2(first.y, 0u), vec2(second.y, 0u))).x;
 }
 
-// By 1 to 31.
+// Shifts by 1 to 31 bits.
 fn wide_shift(a: vec2<u32>, bits: u32) -> vec2<u32> {
     return vec2((a.x >> bits) | (a.y << (32u - bits)), a.y >> bits);
 }

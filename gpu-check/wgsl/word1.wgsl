@@ -15,12 +15,12 @@ fn word_is_zero(word: Word) -> bool {
     return word == 0u;
 }
 
-// Of a word that is not 0.
+// For a nonzero word.
 fn word_zeros(word: Word) -> u32 {
     return firstTrailingBit(word);
 }
 
-// By less than the width.
+// Shifts by less than the width.
 fn word_shift(word: Word, levels: u32) -> Word {
     return word >> levels;
 }

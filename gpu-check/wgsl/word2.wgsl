@@ -1,4 +1,4 @@
-// Keys and trails of two words, the low one first: depth 63. No shift is by 32.
+// Keys and trails of two words, the low word first: depth 63. No shift is by 32.
 
 alias Word = vec2<u32>;
 
@@ -15,12 +15,12 @@ fn word_is_zero(word: Word) -> bool {
     return (word.x | word.y) == 0u;
 }
 
-// Of a word that is not 0.
+// For a nonzero word.
 fn word_zeros(word: Word) -> u32 {
     return select(32u + firstTrailingBit(word.y), firstTrailingBit(word.x), word.x != 0u);
 }
 
-// By less than the width.
+// Shifts by less than the width.
 fn word_shift(word: Word, levels: u32) -> Word {
     let moved = select(word, vec2(word.y, 0u), levels >= 32u);
     let bits = levels & 31u;

@@ -1,4 +1,4 @@
-// Keys and trails of three words, the low one first: depth 95. No shift is by 32.
+// Keys and trails of three words, the low word first: depth 95. No shift is by 32.
 
 alias Word = vec3<u32>;
 
@@ -15,13 +15,13 @@ fn word_is_zero(word: Word) -> bool {
     return (word.x | word.y | word.z) == 0u;
 }
 
-// Of a word that is not 0.
+// For a nonzero word.
 fn word_zeros(word: Word) -> u32 {
     let upper = select(64u + firstTrailingBit(word.z), 32u + firstTrailingBit(word.y), word.y != 0u);
     return select(upper, firstTrailingBit(word.x), word.x != 0u);
 }
 
-// By less than the width.
+// Shifts by less than the width.
 fn word_shift(word: Word, levels: u32) -> Word {
     var moved = select(word, vec3(word.yz, 0u), levels >= 32u);
     moved = select(moved, vec3(moved.yz, 0u), levels >= 64u);

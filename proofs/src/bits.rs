@@ -12,54 +12,54 @@ pub trait Full: KeyWord + Any + Copy + Ord {}
 impl<W: KeyWord + Any + Copy + Ord> Full for W {}
 
 harnesses! {
-    /// Backtracking in constant time is the climb that it replaces, for every trail but 0. `[TRAIL-4]` `[TRAIL-5]`
+    /// Backtracking in constant time equals the climb that it replaces, for every trail except 0. `[TRAIL-4]`
+    /// `[TRAIL-5]`
     backtrack_u32, backtrack_u32_twin, 34 => backtrack::<u32>;
-    /// The same. `[TRAIL-4]` `[TRAIL-5]`
+    /// For u64. `[TRAIL-4]` `[TRAIL-5]`
     backtrack_u64, backtrack_u64_twin, 66 => backtrack::<u64>;
-    /// The same. `[TRAIL-4]` `[TRAIL-5]`
+    /// For u128. `[TRAIL-4]` `[TRAIL-5]`
     backtrack_u128, backtrack_u128_twin, 130 => backtrack::<u128>;
-    /// Keys go down and up without loss: root, child, parent, sibling, depth, start of the level. `[KEY-1]` `[KEY-2]`
+    /// Steps down and up preserve keys: root, child, parent, sibling, depth, start of the level. `[KEY-1]` `[KEY-2]`
     /// `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
     keys_u32, keys_u32_twin, 2 => keys::<u32>;
-    /// The same. `[KEY-1]` `[KEY-2]` `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
+    /// For u64. `[KEY-1]` `[KEY-2]` `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
     keys_u64, keys_u64_twin, 2 => keys::<u64>;
-    /// The same. `[KEY-1]` `[KEY-2]` `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
+    /// For u128. `[KEY-1]` `[KEY-2]` `[KEY-3]` `[KEY-4]` `[KEY-5]` `[KEY-6]`
     keys_u128, keys_u128_twin, 2 => keys::<u128>;
-    /// A trail stays below its key's leading one, down and on backtracking, which goes to the sibling of the ancestor
-    /// that the lowest set bit means. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
+    /// A trail stays below its key's leading one on descents and backtracks. A backtrack goes to the sibling of the
+    /// ancestor at the lowest set bit. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
     trails_u32, trails_u32_twin, 2 => trails::<u32>;
-    /// The same. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
+    /// For u64. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
     trails_u64, trails_u64_twin, 2 => trails::<u64>;
-    /// The same. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
+    /// For u128. `[TRAIL-1]` `[TRAIL-2]` `[TRAIL-3]`
     trails_u128, trails_u128_twin, 2 => trails::<u128>;
-    /// The counter is the trail's complement below the depth. `[TRAIL-6]`
+    /// The counter equals the trail's complement below the depth. `[TRAIL-6]`
     counter_u32, counter_u32_twin, 2 => counter::<u32>;
-    /// The same. `[TRAIL-6]`
+    /// For u64. `[TRAIL-6]`
     counter_u64, counter_u64_twin, 2 => counter::<u64>;
-    /// The same. `[TRAIL-6]`
+    /// For u128. `[TRAIL-6]`
     counter_u128, counter_u128_twin, 2 => counter::<u128>;
-    /// Equation 1 as printed is the exclusive or, also at full width; so is the swap at one level, and two of them
-    /// commute. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
+    /// Equation 1 as printed equals the exclusive or, also at full width, and so does the swap at one level. Swaps of
+    /// levels commute. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
     swaps_u32, swaps_u32_twin, 2 => swaps::<u32>;
-    /// The same. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
+    /// For u64. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
     swaps_u64, swaps_u64_twin, 2 => swaps::<u64>;
-    /// The same. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
+    /// For u128. `[SWAP-1]` `[SWAP-2]` `[SWAP-3]`
     swaps_u128, swaps_u128_twin, 2 long => swaps::<u128>;
-    /// One level swap after the other is the exclusive or. `[SWAP-4]`
+    /// The sequence of level swaps equals the exclusive or. `[SWAP-4]`
     composition_u8, composition_u8_twin, 10 => composition::<u8>;
-    /// The same. `[SWAP-4]`
+    /// For u16. `[SWAP-4]`
     composition_u16, composition_u16_twin, 18 => composition::<u16>;
-    /// A key keeps its leading one down to the depth that `carries` accepts, and would lose it one below. `[DEPTH-1]`
-    /// `[DEPTH-2]`
+    /// A key keeps its leading one down to the depth that `carries` accepts, and loses it at the next depth.
+    /// `[DEPTH-1]` `[DEPTH-2]`
     depth_u32, depth_u32_twin, 2 => depth::<u32>;
-    /// The same. `[DEPTH-1]` `[DEPTH-2]`
+    /// For u64. `[DEPTH-1]` `[DEPTH-2]`
     depth_u64, depth_u64_twin, 2 => depth::<u64>;
-    /// The same. `[DEPTH-1]` `[DEPTH-2]`
+    /// For u128. `[DEPTH-1]` `[DEPTH-2]`
     depth_u128, depth_u128_twin, 2 => depth::<u128>;
-    /// Each step of key and trail in a narrow word is the step in a wide one, at every depth that is accepted.
-    /// `[DEPTH-1]`
+    /// Each step of key and trail in a narrow word equals the step in a wide word, at every accepted depth. `[DEPTH-1]`
     narrow_u32, narrow_u32_twin, 2 => narrow::<u32>;
-    /// The same. `[DEPTH-1]`
+    /// For u64. `[DEPTH-1]`
     narrow_u64, narrow_u64_twin, 2 => narrow::<u64>;
 }
 

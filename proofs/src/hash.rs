@@ -9,18 +9,18 @@ use crate::harness::{claim, harnesses};
 use crate::{Choose, cover};
 
 harnesses! {
-    /// The remainder by multiplication is the remainder: 5 cells, all keys of 16 bits. `[HASH-1]`
+    /// The remainder by multiplication equals the remainder: 5 cells, all keys of 16 bits. `[HASH-1]`
     remainder_u32_5, remainder_u32_5_twin, 2 => remainder_u32::<5, 16>;
     /// 127 cells. `[HASH-1]`
     remainder_u32_127, remainder_u32_127_twin, 2 => remainder_u32::<127, 16>;
-    /// 127 cells, by the way for keys of 64 bits. `[HASH-1]`
+    /// 127 cells, with the method for keys of 64 bits. `[HASH-1]`
     remainder_u64_127, remainder_u64_127_twin, 2 => remainder_u64::<127, 16>;
-    /// Every address with an index of 30 bits comes back from the word that stands for it. `[HASH-5]`
+    /// Every address with an index of 30 bits survives encoding as a word. `[HASH-5]`
     addresses, addresses_twin, 13 kani => every_address;
-    /// A table that was read answers every key with an address of the tree or none, and does not panic. `[HASH-1]`
+    /// A table that was read returns an address of the tree or none for every key, and does not panic. `[HASH-1]`
     /// `[HASH-5]`
     lookups, lookups_twin, 13 kani => any_lookup;
-    /// A table that is certified answers every key of its tree right: 3 nodes, any words. `[HASH-9]`
+    /// A certified table returns the right node for every key of its tree: 3 nodes, any words. `[HASH-9]`
     certificate, certificate_twin, 13 kani => small_certificate;
 }
 

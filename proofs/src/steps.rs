@@ -21,45 +21,45 @@ pub use ladder::Ladder;
 pub use machine::{Machine, Wanted};
 
 harnesses! {
-    /// One step of key and trail with a table of all keys is the machine's. `[TRAIL-7]` `[HASHONLY-1]`
+    /// One step of key and trail with a table of all keys equals the machine's step. `[TRAIL-7]` `[HASHONLY-1]`
     step_hash_only_u64, step_hash_only_u64_twin, 5 => hash_only::<u64>;
-    /// The same. `[TRAIL-7]` `[HASHONLY-1]`
+    /// For u128. `[TRAIL-7]` `[HASHONLY-1]`
     step_hash_only_u128, step_hash_only_u128_twin, 5 long => hash_only::<u128>;
-    /// One step of Algorithm 1 is the machine's, and the table is asked only where no record has named the node.
-    /// `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
+    /// One step of Algorithm 1 equals the machine's step, and looks up only nodes that no record names. `[HASHED-1]`
+    /// `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_hashed_u64, step_hashed_u64_twin, 5 => hashed::<u64, 2, 2>;
-    /// The same. `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
+    /// For u128. `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_hashed_u128, step_hashed_u128_twin, 5 => hashed::<u128, 2, 2>;
-    /// The same, where the records of leaves name three uncles. `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-3]`
+    /// With three uncles in the records of leaves. `[HASHED-1]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-3]`
     step_hashed_3_u64, step_hashed_3_u64_twin, 5 => hashed::<u64, 2, 3>;
-    /// One step of Algorithm 1 with a second trail. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[HASHED-1]`
+    /// One step of Algorithm 1 with a second trail equals the machine's step. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[HASHED-1]`
     step_hashed_disjoint_u64, step_hashed_disjoint_u64_twin, 5 => hashed_disjoint::<u64, 2, 2>;
-    /// The same. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[HASHED-1]`
+    /// For u128. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[HASHED-1]`
     step_hashed_disjoint_u128, step_hashed_disjoint_u128_twin, 5 => hashed_disjoint::<u128, 2, 2>;
-    /// One step of the climb by grand uncles, as far up as words carry, is the machine's. `[UNCLE-2]` `[REGISTER-1]`
-    /// `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
+    /// One step of the climb by grand uncles, up to the limit of words, equals the machine's step. `[UNCLE-2]`
+    /// `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_uncle_u64, step_uncle_u64_twin, 34 => uncle::<u64, 2, 2>;
-    /// The same. `[UNCLE-2]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
+    /// For u128. `[UNCLE-2]` `[REGISTER-1]` `[REGISTER-2]` `[PAUSE-1]` `[PAUSE-3]`
     step_uncle_u128, step_uncle_u128_twin, 66 kani => uncle::<u128, 2, 2>;
-    /// The same with a second trail. `[UNCLE-2]` `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
+    /// The climb by grand uncles with a second trail. `[UNCLE-2]` `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
     step_uncle_disjoint_u64, step_uncle_disjoint_u64_twin, 34 long => uncle_disjoint::<u64, 2, 2>;
-    /// The same. `[UNCLE-2]` `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
+    /// For u128. `[UNCLE-2]` `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
     step_uncle_disjoint_u128, step_uncle_disjoint_u128_twin, 66 kani => uncle_disjoint::<u128, 2, 2>;
-    /// One step of the climb by parents is the machine's. `[AFRA-1]` `[PAUSE-1]`
+    /// One step of the climb by parents equals the machine's step. `[AFRA-1]` `[PAUSE-1]`
     step_afra_u64, step_afra_u64_twin, 66 => afra::<u64>;
-    /// The same. `[AFRA-1]` `[PAUSE-1]`
+    /// For u128. `[AFRA-1]` `[PAUSE-1]`
     step_afra_u128, step_afra_u128_twin, 130 long => afra::<u128>;
-    /// The same with a second trail. `[AFRA-1]` `[DISJOINT-1]` `[DISJOINT-2]`
+    /// The climb by parents with a second trail. `[AFRA-1]` `[DISJOINT-1]` `[DISJOINT-2]`
     step_afra_disjoint_u64, step_afra_disjoint_u64_twin, 66 => afra_disjoint::<u64>;
-    /// The same. `[AFRA-1]` `[DISJOINT-1]` `[DISJOINT-2]`
+    /// For u128. `[AFRA-1]` `[DISJOINT-1]` `[DISJOINT-2]`
     step_afra_disjoint_u128, step_afra_disjoint_u128_twin, 130 long => afra_disjoint::<u128>;
-    /// One step of the counter is the machine's. `[SPARSE-1]` `[TRAIL-6]` `[PAUSE-1]`
+    /// One step of the counter equals the machine's step. `[SPARSE-1]` `[TRAIL-6]` `[PAUSE-1]`
     step_sparse_u64, step_sparse_u64_twin, 66 => sparse::<u64>;
-    /// The same. `[SPARSE-1]` `[TRAIL-6]` `[PAUSE-1]`
+    /// For u128. `[SPARSE-1]` `[TRAIL-6]` `[PAUSE-1]`
     step_sparse_u128, step_sparse_u128_twin, 130 long => sparse::<u128>;
-    /// The same with a second trail. `[SPARSE-1]` `[TRAIL-6]` `[DISJOINT-1]` `[DISJOINT-2]`
+    /// The counter with a second trail. `[SPARSE-1]` `[TRAIL-6]` `[DISJOINT-1]` `[DISJOINT-2]`
     step_sparse_disjoint_u64, step_sparse_disjoint_u64_twin, 66 => sparse_disjoint::<u64>;
-    /// The same. `[SPARSE-1]` `[TRAIL-6]` `[DISJOINT-1]` `[DISJOINT-2]`
+    /// For u128. `[SPARSE-1]` `[TRAIL-6]` `[DISJOINT-1]` `[DISJOINT-2]`
     step_sparse_disjoint_u128, step_sparse_disjoint_u128_twin, 130 long => sparse_disjoint::<u128>;
 }
 

@@ -24,30 +24,30 @@ use crate::{Choose, cover};
 use resumed::{Resumed, by_key_and_trail};
 
 harnesses! {
-    /// The reference of these harnesses is the oracle: trees of up to 5 nodes. `[ORACLE-1]` `[TRACE-1]`
+    /// The reference of these harnesses equals the oracle: trees of up to 5 nodes. `[ORACLE-1]` `[TRACE-1]`
     oracle_5, oracle_5_twin, 4 kani => oracle::<2>;
-    /// So it is where disjoint nodes are left out. `[ORACLE-2]`
+    /// The reference that skips disjoint nodes equals its oracle. `[ORACLE-2]`
     oracle_disjoint_5, oracle_disjoint_5_twin, 4 kani => oracle_disjoint::<2>;
     /// Key and trail, every node by its key: trees of up to 9 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
     by_key_9, by_key_9_twin, 11 => by_key::<4>;
-    /// Up to 11 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
+    /// Key and trail: up to 11 nodes. `[TRAIL-7]` `[TRAVERSE-1]`
     by_key_11, by_key_11_twin, 13 => by_key::<5>;
-    /// Children by their parent's record, postponed nodes by their key; with leaves at which the search ends.
-    /// `[HASHONLY-1]` `[TRAVERSE-1]`
+    /// Children by their parent's record, postponed nodes by their key, also if a leaf ends the search. `[HASHONLY-1]`
+    /// `[TRAVERSE-1]`
     hash_only_9, hash_only_9_twin, 11 => hash_only::<4>;
-    /// The climb while bit 0 is clear. `[AFRA-1]` `[TRAVERSE-1]`
+    /// The climb while bit 0 is clear: up to 7 nodes. `[AFRA-1]` `[TRAVERSE-1]`
     afra_7, afra_7_twin, 9 (3) => afra::<3>;
-    /// Up to 9 nodes. `[AFRA-1]` `[TRAVERSE-1]`
+    /// The climb: up to 9 nodes. `[AFRA-1]` `[TRAVERSE-1]`
     afra_9, afra_9_twin, 11 (4) long => afra::<4>;
     /// Register and uncles, no table. `[UNCLE-1]` `[UNCLE-2]` `[REGISTER-1]` `[TRAVERSE-1]`
     uncle_9, uncle_9_twin, 11 (1) => uncle::<4>;
-    /// Algorithm 1; the table is asked for hashed keys alone. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
+    /// Algorithm 1, which looks up only hashed keys. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
     hashed_9, hashed_9_twin, 11 => hashed::<4>;
-    /// Up to 11 nodes. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
+    /// Algorithm 1: up to 11 nodes. `[HASHED-1]` `[REGISTER-1]` `[HASH-3]` `[TRAVERSE-1]`
     hashed_11, hashed_11_twin, 13 long => hashed::<5>;
-    /// The counter, and the climb by its carries. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
+    /// The counter, and the climb by its carries: up to 7 nodes. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
     sparse_7, sparse_7_twin, 9 (3) => sparse::<3>;
-    /// Up to 9 nodes. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
+    /// The counter: up to 9 nodes. `[SPARSE-1]` `[SPARSE-2]` `[TRAVERSE-1]`
     sparse_9, sparse_9_twin, 11 (4) long => sparse::<4>;
     /// Algorithm 2, level index and swap mask. `[IMPLICIT-1]` `[TRAVERSE-1]`
     implicit_a_9, implicit_a_9_twin, 11 => implicit_a::<4>;
@@ -63,36 +63,36 @@ harnesses! {
     laine_0_5, laine_0_5_twin, 10 kani => laine::<0, 2>;
     /// Restarts with a short stack of two. `[LAINE-1]` `[TRAVERSE-1]`
     laine_2_5, laine_2_5_twin, 10 kani => laine::<2, 2>;
-    /// Parents, and an order that is asked again on the way up. `[HAPALA-1]` `[TRAVERSE-1]`
+    /// Parents, and an order that is recomputed on the path up. `[HAPALA-1]` `[TRAVERSE-1]`
     hapala_7, hapala_7_twin, 9 (3) => hapala::<3>;
-    /// Up to 9 nodes. `[HAPALA-1]` `[TRAVERSE-1]`
+    /// Parents and a recomputed order: up to 9 nodes. `[HAPALA-1]` `[TRAVERSE-1]`
     hapala_9, hapala_9_twin, 11 (4) long => hapala::<4>;
     /// A stack in memory. `[STACK-1]` `[TRAVERSE-1]`
     stack_9, stack_9_twin, 11 kani => stack::<4>;
-    /// Skip pointers, which are a table in memory. `[SKIP-1]` `[TRAVERSE-1]`
+    /// Skip pointers, in a table in memory. `[SKIP-1]` `[TRAVERSE-1]`
     skip_7, skip_7_twin, 17 kani => skip::<3>;
-    /// The second trail beside the trail. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
+    /// The climb with a second trail. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
     afra_disjoint_7, afra_disjoint_7_twin, 9 (3) => afra_disjoint::<3>;
-    /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
+    /// The climb with a second trail: up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
     afra_disjoint_9, afra_disjoint_9_twin, 11 (4) long => afra_disjoint::<4>;
-    /// The second trail beside the counter. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
+    /// The counter with a second trail. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
     sparse_disjoint_7, sparse_disjoint_7_twin, 9 (3) => sparse_disjoint::<3>;
-    /// Up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
+    /// The counter with a second trail: up to 9 nodes. `[DISJOINT-1]` `[DISJOINT-2]` `[TRAVERSE-1]`
     sparse_disjoint_9, sparse_disjoint_9_twin, 11 (4) long => sparse_disjoint::<4>;
     /// The second trail and the register, without a table. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]` `[TRAVERSE-1]`
     uncle_disjoint_9, uncle_disjoint_9_twin, 11 (1) => uncle_disjoint::<4>;
-    /// The second trail and the register: the table needs no more keys. `[DISJOINT-1]` `[DISJOINT-2]` `[DISJOINT-3]`
-    /// `[TRAVERSE-1]`
+    /// The second trail and the register: the table needs no additional keys. `[DISJOINT-1]` `[DISJOINT-2]`
+    /// `[DISJOINT-3]` `[TRAVERSE-1]`
     hashed_disjoint_9, hashed_disjoint_9_twin, 11 => hashed_disjoint::<4>;
-    /// Put aside and taken up before each step. `[PAUSE-1]`
+    /// The climb, paused and resumed before each step. `[PAUSE-1]`
     afra_resumed_7, afra_resumed_7_twin, 9 (3) => afra_resumed::<3>;
-    /// The same by the counter. `[PAUSE-1]`
+    /// The counter, paused and resumed before each step. `[PAUSE-1]`
     sparse_resumed_7, sparse_resumed_7_twin, 9 (3) => sparse_resumed::<3>;
-    /// The same with the register. `[PAUSE-1]` `[PAUSE-3]`
+    /// Register and uncles, paused and resumed before each step. `[PAUSE-1]` `[PAUSE-3]`
     uncle_resumed_9, uncle_resumed_9_twin, 11 (1) => uncle_resumed::<4>;
-    /// The same with register and table. `[PAUSE-1]` `[PAUSE-3]`
+    /// Register and table, paused and resumed before each step. `[PAUSE-1]` `[PAUSE-3]`
     hashed_resumed_9, hashed_resumed_9_twin, 11 => hashed_resumed::<4>;
-    /// Put aside before each step, of which key and trail are kept. `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-3]`
+    /// Paused before each step, and resumed from key and trail. `[PAUSE-1]` `[PAUSE-2]` `[PAUSE-3]`
     hashed_by_key_and_trail_9, hashed_by_key_and_trail_9_twin, 11 => hashed_by_key_and_trail::<4>;
 }
 

@@ -8,23 +8,23 @@ use crate::harness::{claim, harnesses};
 use crate::{Choose, cover};
 
 harnesses! {
-    /// Keys of nodes of two children go down and up without loss: child, ancestor, level. `[WIDE-9]`
+    /// Steps down and up preserve keys of nodes of two children: child, ancestor, level. `[WIDE-9]`
     wide_keys_2, wide_keys_2_twin, 4 => keys::<2>;
-    /// The same of four children. `[WIDE-9]`
+    /// For four children. `[WIDE-9]`
     wide_keys_4, wide_keys_4_twin, 4 => keys::<4>;
-    /// The same of eight children. `[WIDE-9]`
+    /// For eight children. `[WIDE-9]`
     wide_keys_8, wide_keys_8_twin, 4 => keys::<8>;
-    /// The way back from a child goes to its parent, with what was pending and the trail of before; past a node without
-    /// pending children it goes where the way back from this node goes. `[WIDE-10]` `[WIDE-11]`
+    /// A backtrack from a child goes to its parent, with the parent's pending set and trail. Without pending children
+    /// of the parent, it equals the parent's backtrack, one level further. `[WIDE-10]` `[WIDE-11]`
     wide_trails_2_u64, wide_trails_2_u64_twin, 4 => trails::<2, u64>;
-    /// The same. `[WIDE-10]` `[WIDE-11]`
+    /// For four children. `[WIDE-10]` `[WIDE-11]`
     wide_trails_4_u64, wide_trails_4_u64_twin, 6 => trails::<4, u64>;
-    /// The same. `[WIDE-10]` `[WIDE-11]`
+    /// For eight children. `[WIDE-10]` `[WIDE-11]`
     wide_trails_8_u64, wide_trails_8_u64_twin, 10 => trails::<8, u64>;
-    /// The same. `[WIDE-10]` `[WIDE-11]`
+    /// For eight children and u128. `[WIDE-10]` `[WIDE-11]`
     wide_trails_8_u128, wide_trails_8_u128_twin, 10 => trails::<8, u128>;
-    /// Of two children, where the lowest group is the sibling's slot alone, the child in that slot is the node to which
-    /// the binary trail goes back. `[WIDE-12]`
+    /// With two children, if the lowest group is only the sibling's slot, the child in that slot is the target of the
+    /// binary trail's backtrack. `[WIDE-12]`
     wide_binary_u64, wide_binary_u64_twin, 34 => binary;
 }
 

@@ -7,13 +7,13 @@ use crate::harness::{claim, harnesses};
 use crate::{Choose, cover};
 
 harnesses! {
-    /// The pieces of a word are its bits from the highest one down, 63 each. `[HASH-6]`
+    /// The pieces of a word are its bits from the highest set bit down, 63 each. `[HASH-6]`
     pieces_u32, pieces_u32_twin, 4 => pieces::<u32>;
-    /// The same. `[HASH-6]`
+    /// For u64. `[HASH-6]`
     pieces_u64, pieces_u64_twin, 4 => pieces::<u64>;
-    /// The same. `[HASH-6]`
+    /// For u128. `[HASH-6]`
     pieces_u128, pieces_u128_twin, 5 => pieces::<u128>;
-    /// A growing word of up to 65 bits, beyond its register, is the wide number in all that a traversal asks of it.
+    /// A growing word of up to 65 bits, beyond its register, equals the wide number in all operations of a traversal.
     /// `[DEPTH-3]`
     grow, grow_twin, 66 kani => grow_is_u128::<65>;
 }

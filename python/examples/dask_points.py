@@ -1,9 +1,9 @@
-"""Which of many points are inside of a mesh, asked on the workers of Dask: each receives the scene once.
+"""Finds the points inside a mesh on the workers of Dask. Each worker receives the scene once.
 
     pip install dask distributed
     python examples/dask_points.py [--points N]
 
-With `Client("tcp://...")` in place of the two local workers it is the same on a cluster.
+`Client("tcp://...")` instead of the two local workers uses a cluster.
 """
 
 import argparse
@@ -24,7 +24,7 @@ def contains(points, scene):
 
 
 def which(points, scene):
-    """The process that answers a block of points, and the scene in its memory."""
+    """Returns the process that answers a block of points, and its scene."""
     return np.array([[os.getpid(), id(scene)]])
 
 
@@ -33,7 +33,7 @@ def main():
     parser.add_argument("--points", type=int, default=1_000_000)
     count = parser.parse_args().points
     scene = Scene(VERTICES, FACES)
-    # One thread a worker asks Python; a query takes all threads that RAYON_NUM_THREADS allows.
+    # One Python thread per worker; a query uses all threads of RAYON_NUM_THREADS.
     with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
         points = da.random.default_rng(1).uniform(-1, 1, (count, 3), chunks=(count // 20, 3))
         sent = client.scatter(scene, broadcast=True)

@@ -1,4 +1,4 @@
-"""A closed surface with deep folds, like that of a brain: a sphere, displaced by a pattern that grows on it."""
+"""A closed surface with deep folds, like a brain: a sphere, displaced by a pattern that grows on it."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ STEPS = 6000
 
 
 def folded_sphere(levels=6, depth=0.4, grid=128):
-    """A mesh whose vertices are on a grid of steps of 1/grid, as those of a segmented volume are.
+    """Returns a mesh with vertices on a grid of steps 1/grid, like that of a segmented volume.
 
-    The pattern is that of Gray and Scott's reaction of two substances that spread over the sphere.
+    The pattern is Gray and Scott's reaction of two substances that spread over the sphere.
     """
     sphere = trimesh.creation.icosphere(levels)
     pattern = labyrinth(sphere)
@@ -24,7 +24,7 @@ def folded_sphere(levels=6, depth=0.4, grid=128):
 
 
 def opened(vertices, faces, holes=((1.0, 0.25), (-0.6, -0.75)), width=0.3):
-    """The faces without those around some directions across z, as where a scanner has not looked."""
+    """Removes the faces around some directions across z, like parts that a scanner has not seen."""
     middles = vertices[faces].mean(axis=1)
     middles /= np.linalg.norm(middles, axis=1, keepdims=True)
     aims = np.array([(*hole, 0) / np.linalg.norm(hole) for hole in holes])
@@ -32,7 +32,7 @@ def opened(vertices, faces, holes=((1.0, 0.25), (-0.6, -0.75)), width=0.3):
 
 
 def labyrinth(sphere, feed=0.037, kill=0.06):
-    """What there is of the second substance at each vertex."""
+    """Returns the concentration of the second substance at each vertex."""
     edges = np.concatenate([sphere.edges_unique, sphere.edges_unique[:, ::-1]])
     count = len(sphere.vertices)
     near = sparse.csr_matrix((np.ones(len(edges)), edges.T), shape=(count, count))

@@ -1,4 +1,4 @@
-"""A script for Open3D with one import changed: an image of a box, what is inside of it, and how far points are.
+"""A script for Open3D with one changed import: an image of a box, its inside, and distances of points.
 
 python examples/from_open3d.py
 """

@@ -1,9 +1,9 @@
-"""The inputs of reports about trimesh and Embree, and what each library makes of them, as a table.
+"""The inputs of bug reports about trimesh and Embree, and the answers of each library, as a table.
 
     python examples/issues.py
 
-Some reports have files that are gone, or numbers that are not kept here: then the input is made as they describe it. A
-cell says how many answers are wrong. What is right follows from the shape, or from rational arithmetic.
+The files or numbers of some reports are not available. Their inputs are generated from the descriptions. A cell is the
+number of wrong answers. The right answers follow from the shape, or from rational arithmetic.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`RaycastingScene` of Open3D and ours, and where they differ.
+"""Compares `RaycastingScene` of Open3D with that of this package.
 
     python examples/open3d_rays.py
 

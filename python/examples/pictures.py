@@ -1,15 +1,16 @@
-"""Pictures of a mesh: depth by closest hits, and a section that shows what is inside, and where others are wrong.
+"""Draws pictures of a mesh: depth by closest hits, and a section with its inside and the errors of other libraries.
 
     python examples/pictures.py [MESH] [-o FOLDER]
 
-It needs trimesh and Pillow. Without a mesh it draws a made one with deep folds, like a brain's (`folds.py`, which needs
-SciPy). `depth.png` is grey by distance. `section.png` shows which voxels of a plane are inside, as volumes are often
-filled: a ray along z from each centre, and whether it crosses the mesh an odd number of times. It has a panel for each
-of trimesh with embreex (`intersects_location`) and Open3D (`count_intersections`) that is installed. Blue is inside,
-white outside, and red wrong. What is right `Scene.contains` tells, and rational arithmetic for a sample.
+It needs trimesh and Pillow. The default mesh is generated, with deep folds like a brain (`folds.py` needs SciPy).
+`depth.png` is grey by distance. `section.png` shows the voxels of a plane that are inside. A voxel is inside if a ray
+along z from its centre crosses the mesh an odd number of times. Installed libraries get a panel: trimesh with embreex
+(`intersects_location`) and Open3D (`count_intersections`). Blue is inside, white outside, and red wrong.
+`Scene.contains` judges the answers, and rational arithmetic judges a sample.
 
-`inside.png`, of the made mesh only, shows a section after two holes are cut into it. Inside is where the winding number
-is above 1/2. Open3D, trimesh and libigl are shown beside this library. Sums of all solid angles judge a sample.
+`inside.png`, only for the generated mesh, shows a section of the mesh with two holes. Points with a winding number
+above 1/2 are inside. Open3D, trimesh and libigl are shown next to this library. Sums of all solid angles judge a
+sample.
 """
 
 from __future__ import annotations
@@ -32,13 +33,13 @@ from peers import PEERS  # noqa: E402
 
 from bench import ENGINES, near_misses_and_hits  # noqa: E402
 
-# Of trimesh's own engine a section would take hours.
+# A section with trimesh's own engine would take hours.
 OTHERS = {name: ENGINES[name] for name in ("trimesh embreex", "Open3D") if name in ENGINES}
 INSIDE, OUTSIDE, WRONG = (120, 155, 215), (255, 255, 255), (225, 30, 30)
 UP = np.float32([0, 0, 1])
-# No component is 0, and no two are alike.
+# All components are different and not 0.
 WAY = np.array([0.61, 0.37, 0.53])
-# Answers that rational arithmetic judges, and as many of those that others get wrong.
+# Number of answers that rational arithmetic judges; an equal number of wrong answers of other libraries.
 JUDGED = 150
 
 
@@ -65,7 +66,7 @@ def loaded(path):
 
 
 def depth(scene, vertices, size):
-    """A perspective view along -z, from where all of the mesh is seen."""
+    """Draws a perspective view along -z of the whole mesh."""
     lo, hi = vertices.min(axis=0), vertices.max(axis=0)
     away = np.array([0, 0, 1.5 * (hi - lo).max() + (hi - lo)[2] / 2])
     x, y = np.meshgrid(np.linspace(-0.5, 0.5, size), np.linspace(0.5, -0.5, size))
@@ -77,8 +78,8 @@ def depth(scene, vertices, size):
 
 
 def grid(vertices, steps=256):
-    """Points of the plane across z near the middle of the mesh. They are on a grid of a power of two, as the centres of
-    voxels are, and so are in single precision as they are in double."""
+    """Returns points of the plane across z near the middle of the mesh. Like the centres of voxels, they are on a grid
+    with a power of two as its step, so single precision represents them exactly."""
     lo, hi = vertices.min(axis=0), vertices.max(axis=0)
     step = 2.0 ** np.ceil(np.log2((hi - lo)[:2].max() / steps))
     x, y = (np.arange(np.floor(lo[k] / step) - 3, np.ceil(hi[k] / step) + 4) * step for k in (0, 1))
@@ -88,7 +89,7 @@ def grid(vertices, steps=256):
 
 
 def panel(scene, vertices, faces, name, make):
-    """The section as an engine sees it."""
+    """Returns the section according to an engine."""
     places = grid(vertices)
     points = places.reshape(-1, 3).astype(np.float32)
     inside = scene.contains(points)
@@ -111,7 +112,7 @@ def panel(scene, vertices, faces, name, make):
 
 
 def open_section(vertices, faces):
-    """Sections of an open mesh: this library's, and what others get wrong of it."""
+    """Draws sections of an open mesh: the answers of this library, and errors of other libraries."""
     scene, places = Scene(vertices, faces), grid(vertices)
     points = places.reshape(-1, 3)
     inside = scene.contains(points, rule="winding")
@@ -131,7 +132,7 @@ def open_section(vertices, faces):
 
 
 def drawn(places, cut, inside, wrong, name, width=600):
-    """A panel, with the cut of the mesh as lines, and a title that is legible when it is small."""
+    """Draws a panel with the outline of the mesh, and a title that is legible at small sizes."""
     colours = np.where(inside[:, None], INSIDE, OUTSIDE)
     colours[wrong] = WRONG
     image = Image.fromarray(colours.reshape(places.shape).astype(np.uint8))
@@ -149,7 +150,7 @@ def drawn(places, cut, inside, wrong, name, width=600):
 
 
 def winding(triangles, point):
-    """The sum of all solid angles (Van Oosterom & Strackee 1983), over 4 pi."""
+    """Returns the sum of all solid angles (Van Oosterom & Strackee 1983), over 4 pi."""
     a, b, c = (triangles - point).astype(np.longdouble).transpose(1, 0, 2)
     la, lb, lc = (np.sqrt((v * v).sum(axis=1)) for v in (a, b, c))
     y = (a * np.cross(b, c)).sum(axis=1)
@@ -158,7 +159,7 @@ def winding(triangles, point):
 
 
 def is_inside(vertices, faces, point):
-    """By rational arithmetic, of a point that is not on the mesh."""
+    """Decides with rational arithmetic, for a point off the mesh."""
     near = near_misses_and_hits(vertices, faces, point, WAY)
     return oracle.crossings(vertices, faces[near], point, WAY) % 2 == 1
 

@@ -1,4 +1,4 @@
-"""Hits, inside and distance of an STL part: the ten lines of README. It needs trimesh, to read the file."""
+"""Hits, inside and distance of an STL part: the ten lines of README. It needs trimesh for reading the file."""
 
 from pathlib import Path
 

@@ -1,11 +1,11 @@
-"""Judge insides, winding numbers and distances by exact arithmetic: of this library and of others, as tables.
+"""Judges insides, winding numbers and distances of this library and of other libraries by exact arithmetic, as tables.
 
     python judge [MESH...] [--points N] [--kinds WORD...] [--no-peers]
 
-It makes a mesh of each kind, with points that are hard to judge (`meshes.py`). Floats become whole numbers (Python's,
-in NumPy arrays), which decide which faces a ray along z crosses, and how far each face is. Floating-point arithmetic
-decides only with a wide margin. Winding numbers of open meshes are sums of all solid angles, of whole numbers where
-much cancels. No line of the library is used. It needs trimesh; `peers.py` judges Open3D, trimesh and libigl.
+It generates a mesh of each kind, with points that are hard to judge (`meshes.py`). Floats become Python integers in
+NumPy arrays. They decide which faces a ray along z crosses, and the distance of each face. Floating-point arithmetic
+decides only with a wide margin. Winding numbers of open meshes are sums of all solid angles, in integers where many
+digits cancel. The judge has no code of the library. It needs trimesh; `peers.py` judges Open3D, trimesh and libigl.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ import numpy as np
 from stackless_bvh import Scene
 
 BLOCK = 256  # points that share a list of faces
-BATCH = 64  # blocks that are judged at once
+BATCH = 64  # blocks judged at once
 ROOT = np.frompyfunc(math.isqrt, 1, 1)
-NEAR_HALF = 1e-6  # winding numbers this near to 1/2 are not judged for their side
+NEAR_HALF = 1e-6  # no judgement of the side of winding numbers this near to 1/2
 
 
 def main():
@@ -59,7 +59,7 @@ def main():
 
 
 def ours(kind, scene, points, near, truth, begin):
-    """One row: how many answers of this library are wrong."""
+    """Returns a row: the numbers of wrong answers of this library."""
     rules = ["winding"] + ["parity"] * scene.is_closed + ["nonzero"] * scene.is_oriented
     wrong = dict.fromkeys(["contains", "winding", "signed", "nearest", "foot"], 0)
     windings = scene.winding_number(points)
@@ -82,7 +82,7 @@ def ours(kind, scene, points, near, truth, begin):
             wrong["contains"] += wrong_of(closed != (inside | truth.on_mesh), judged, f"{rule}, closed", near, points)
             wrong["contains"] += wrong_of(opened != (inside & off), judged, f"{rule}, open", near, points)
             signed = scene.signed_distance(points, rule=rule)
-            # Far below the least float a distance is 0, on both sides.
+            # Far below the least float, a distance is 0 on each side.
             is_right = is_rounded & (np.abs(signed) == near.distance) & ((signed < 0) == (inside & off & (signed != 0)))
             wrong["signed"] += wrong_of(~is_right, judged, f"{rule}, signed", near, points)
     name = f"{kind}, {points.dtype}, {len(scene.faces):,} faces"
@@ -93,7 +93,7 @@ def ours(kind, scene, points, near, truth, begin):
 
 
 def wrong_of(is_wrong, judged, what, near, points):
-    """The number of wrong answers; names the first of them, and how far from the mesh they are."""
+    """Returns the number of wrong answers. Prints the first of them, and their distance from the mesh."""
     found = np.flatnonzero(is_wrong & judged)
     if len(found):
         far = near.distance[found].max()
@@ -105,8 +105,8 @@ def wrong_of(is_wrong, judged, what, near, points):
 
 
 class Truth:
-    """What is true of each point: crossings, winding number, the square of the distance, and the least face
-    whose distance rounds to a given one."""
+    """The truth about each point: crossings, winding number, the square of the distance, and the least face whose
+    distance rounds to a given distance."""
 
     def __init__(self, vertices, faces, points, distances):
         count = len(points)
@@ -132,8 +132,8 @@ class Truth:
         self.on_mesh = self.square == 0
 
     def cross(self, rough, rough_points, asked, faces):
-        """Counts crossings of rays along z from each point after it is moved by (e, e², 0), with e > 0 as small as need
-        be. Whole numbers decide where any sign is in doubt."""
+        """Counts crossings of rays along z from each point, moved by (e, e², 0) for small e > 0. Integers decide
+        doubtful signs."""
         signs = crossing(rough.take(faces), rough_points[:, asked], 1e-11)
         doubt = signs == 2
         signs[doubt] = crossing(self.exact.take(faces[doubt]), self.points[:, asked[doubt]], 0)
@@ -161,7 +161,7 @@ class Truth:
         np.minimum.at(self.face, asked[equal.astype(bool)], faces[equal.astype(bool)])
 
     def inside(self, rule):
-        """Which points are inside, and which of them are judged."""
+        """Returns which points are inside, and which points are judged."""
         if rule == "parity":
             return self.crossings % 2 == 1, np.ones(len(self.crossings), bool)
         if self.angles is None or rule == "nonzero":
@@ -169,15 +169,15 @@ class Truth:
         return self.angles > 0.5, self.on_mesh | (np.abs(self.angles - 0.5) > NEAR_HALF)
 
     def distance(self):
-        """Distances in double precision."""
+        """Returns distances in double precision."""
         return (ROOT((self.square << 128) // self.over) / (1 << 64 + self.bits)).astype(float)
 
     def is_rounded(self, distances):
-        """Whether each float is the nearest one to the exact distance."""
+        """Returns whether each float is nearest to the exact distance."""
         return is_nearest(self.square, self.over, distances, self.bits, 2)
 
     def foot(self, near):
-        """Which nearest points, weights, parts and normals are right, on the right faces."""
+        """Yields which nearest points, weights, parts and normals are right, if the faces are."""
         triangles = self.exact.take(self.face)
         weights, over = triangles.weights(self.points)
         has_area = triangles.area != 0
@@ -193,8 +193,8 @@ class Truth:
         yield "normal", np.all(found, axis=0) | ~has_area
 
     def sum_angles(self, vertices, faces, points, off):
-        """The generalised winding number of points off the mesh: all solid angles (Van Oosterom & Strackee 1983), over
-        4 pi. Those that double precision may get wrong, next to edges and faces, are taken of whole numbers."""
+        """Returns the generalised winding number of points off the mesh: the sum of all solid angles (Van Oosterom &
+        Strackee 1983), over 4 pi. Angles near edges and faces, where double precision may err, use integers."""
         self.angles = np.zeros(len(points))
         rough = Triangles(vertices.astype(float).T[:, faces.T].swapaxes(0, 1))
         for rows in np.array_split(np.flatnonzero(off), max(1, len(points) * len(faces) // 200_000)):
@@ -208,11 +208,11 @@ class Truth:
 
 
 def halves_of_angles(corners):
-    """Sines and cosines, times some factor, of half of the solid angles of triangles as seen from 0."""
+    """Returns multiples of the sines and cosines of half of the solid angles of triangles, seen from 0."""
     is_exact = corners[0].dtype == object
     lengths = [dot(corner, corner) for corner in corners]
     if is_exact:
-        # Lengths get 256 binary places, as much cancels near edges.
+        # Lengths have 256 binary places, because many digits cancel near edges.
         corners, lengths = [corner * (1 << 256) for corner in corners], [length << 512 for length in lengths]
     (a, b, c), (la, lb, lc) = corners, map(ROOT if is_exact else np.sqrt, lengths)
     y, x = dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
@@ -237,7 +237,7 @@ def crossing(triangles, q, margin):
 
 
 class Triangles:
-    """Triangles and what distances take of them, of floats or of whole numbers: arrays of shape (3 axes, ...)."""
+    """Triangles with data for distances, in floats or integers: arrays of shape (3 axes, ...)."""
 
     def __init__(self, corners):
         a, b, c = self.corners = corners
@@ -256,9 +256,9 @@ class Triangles:
         return taken
 
     def weights(self, q):
-        """Weights of the corners in the nearest points: numerators and denominators."""
+        """Returns weights of the corners in the nearest points: numerators and denominators."""
         s = [q - corner for corner in self.corners]
-        # Each edge starts at its corner; the wall of the opposite edge is 0 where a weight is.
+        # The weight of a corner is 0 on the wall of the opposite edge.
         of_face = [dot(self.walls[i], s[i]) for i in (1, 2, 0)]
         is_face = (self.area != 0) & np.all([weight >= 0 for weight in of_face], axis=0).astype(bool)
         zero, best, found = self.area * 0, None, None
@@ -279,7 +279,7 @@ class Triangles:
         return weights, over
 
     def squared_distances(self, q):
-        """Numerators and denominators: of the face where the foot is inside, else of the nearest edge or corner."""
+        """Returns numerators and denominators: of the face if the foot is inside, or of an edge or corner."""
         inside, best = self.area != 0, None
         for corner, edge, wall, length in zip(self.corners, self.edges, self.walls, self.lengths):
             s = q - corner
@@ -297,8 +297,8 @@ class Triangles:
 
 
 def is_nearest(exact, over, floats, bits, power=1):
-    """Whether each float is the nearest one to a number, of two the even one. `exact / over`, over 2**bits, is the
-    number or its square."""
+    """Returns whether each float is nearest to a number; of two nearest floats, the even one. `exact / over / 2**bits`
+    is the number, or with `power=2` its square, over `4**bits`."""
     low, high, even = middles(floats)
     if power == 2:
         low = np.maximum(low, 0)
@@ -309,7 +309,7 @@ def is_nearest(exact, over, floats, bits, power=1):
 
 
 def middles(floats):
-    """Sums of each float and its neighbours, which are twice the middles between them, and whether it is even."""
+    """Returns sums of each float and its neighbours, which are twice the midpoints, and whether the float is even."""
     kind = floats.dtype.type
     below, above = (np.nextafter(floats, kind(end)) for end in (-np.inf, np.inf))
     low, high = (floats + end.astype(np.longdouble) for end in (below, above))
@@ -318,7 +318,7 @@ def middles(floats):
 
 
 def halves(points, rows):
-    """Blocks of points that are near to each other."""
+    """Yields blocks of neighbouring points."""
     if len(rows) <= BLOCK:
         yield rows
     else:
@@ -329,7 +329,7 @@ def halves(points, rows):
 
 
 def columns(rough, points, block):
-    """Pairs of points and faces that a ray along z may cross."""
+    """Yields pairs of points and faces that a ray along z may cross."""
     q, margin = points[block], 1e-9
     lo, hi = (end(rough.corners, axis=0) for end in (np.min, np.max))
     meets = (hi[2] >= q[:, 2].min() - margin) & (lo[:2] <= q[:, :2].max(axis=0)[:, None] + margin).all(axis=0)
@@ -341,7 +341,7 @@ def columns(rough, points, block):
 
 
 def near_faces(rough, points, block):
-    """Pairs of points and faces that may be the nearest."""
+    """Yields pairs of points and faces that may be nearest."""
     q = points[block]
     middle = q.mean(axis=0)
     radius = np.linalg.norm(q - middle, axis=1).max()
@@ -356,13 +356,13 @@ def near_faces(rough, points, block):
 
 
 def of_unit_size(vertices, numbers):
-    """Numbers relative to the first vertex, over the size of the mesh: two roundings."""
+    """Returns numbers relative to the first vertex, divided by the size of the mesh: two roundings."""
     start = vertices[0].astype(float)
     return (numbers.astype(float) - start) / np.ptp(vertices.astype(float), axis=0).max()
 
 
 def mantissas(numbers):
-    """Odd whole numbers, or 0, and exponents of two."""
+    """Returns odd integers, or 0, and exponents of two."""
     mantissa, exponent = np.frexp(np.asarray(numbers, np.longdouble))
     whole = np.ldexp(mantissa, 63).astype(np.int64)
     zeros = np.frexp((whole & -whole).astype(float))[1] - 1
@@ -371,12 +371,12 @@ def mantissas(numbers):
 
 
 def bits_of(numbers):
-    """The least number of binary places for all of them."""
+    """Returns the least number of binary places for all numbers."""
     return max(0, int(-mantissas(numbers)[1].min()))
 
 
 def whole(numbers, bits):
-    """The numbers times 2**bits."""
+    """Returns the numbers times 2**bits."""
     mantissa, exponent = mantissas(numbers)
     return mantissa.astype(object) << (exponent + bits).astype(object)
 

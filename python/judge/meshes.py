@@ -1,4 +1,4 @@
-"""Meshes of all kinds that people have, and points that are hard to judge."""
+"""Meshes of common kinds, and points that are hard to judge."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ RANDOM = np.random.default_rng(59)
 CORNERS = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
 QUADS = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
 BOX = np.array([corners for a, b, c, d in QUADS for corners in ([a, b, c], [a, c, d])])
-# Maps whole numbers to whole numbers, and lines to lines, so that T-junctions stay exact.
+# Maps integers to integers, and lines to lines, so that T-junctions stay exact.
 SHEAR = np.array([[4, 1, -1], [-1, 3, 2], [2, -1, 5]])
 
 
@@ -70,7 +70,7 @@ def sheared(corners, dtype, faces=BOX):
 
 
 def t_junctions(dtype, ulps=0):
-    """A skew box, some faces of which are cut where their neighbours are not; or nearly so."""
+    """A skew box. Some faces are cut where their neighbours are not cut, exactly or nearly."""
     vertices, faces = sheared(CORNERS, dtype)
     for k, eighths in ((0, 3), (3, 4), (6, 1), (9, 6)):
         a, b, c = faces[k]
@@ -88,8 +88,8 @@ def joined(one, other):
 
 
 def points(vertices, faces, count, subnormal):
-    """A ninth of each kind, and half of all moved by an ulp in some coordinates: zeros by the least float if
-    `subnormal`, else by an ulp of the mesh's size."""
+    """A ninth of the points for each kind. Half of all points are moved by an ulp in some coordinates. Zeros are moved
+    by the least float if `subnormal`, otherwise by an ulp of the mesh's size."""
     dtype = vertices.dtype.type
     lo, hi = vertices.min(axis=0), vertices.max(axis=0)
     margin = (hi - lo) * dtype(0.125)

@@ -1,4 +1,4 @@
-"""The same questions to Open3D, trimesh and libigl, as far as they are installed and have them."""
+"""Equal queries to Open3D, trimesh and libigl, if they are installed and support them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from importlib.util import find_spec
 import numpy as np
 import trimesh
 
-# Points that trimesh is asked: its distances and its own rays are slow.
+# Number of points for trimesh, whose distances and own rays are slow.
 FEW = 2_000
 
 
@@ -31,7 +31,7 @@ class Open3D:
 
 
 class Trimesh:
-    """`contains` by the engine that is installed, and `proximity.signed_distance`, whose sign is turned."""
+    """`contains` by the installed engine, and `proximity.signed_distance` with reversed sign."""
 
     def __init__(self, vertices, faces):
         self.mesh = trimesh.Trimesh(vertices.astype(np.float64), faces, process=False)
@@ -64,7 +64,7 @@ PEERS = {name: make for name, (module, make) in MODULES.items() if find_spec(mod
 
 
 def judge(kind, vertices, faces, points, truth):
-    """A row: of points off the mesh, how many insides, signs and distances of each are wrong."""
+    """Returns a row: the numbers of wrong insides, signs and distances of each library, for points off the mesh."""
     cells = []
     for name, make in PEERS.items():
         rows = np.arange(FEW if make is Trimesh else len(points))
@@ -75,7 +75,7 @@ def judge(kind, vertices, faces, points, truth):
         try:
             asked = make(vertices, faces)
             found, signed = asked.inside(points[rows]), asked.signed(points[rows])
-        except Exception as error:  # Of any kind.
+        except Exception as error:  # An exception of any type.
             print(f"{name}, {kind}: {error}", file=sys.stderr)
             cells += ["fails"] * 3
             continue
@@ -94,7 +94,7 @@ def judge(kind, vertices, faces, points, truth):
 
 
 def table(rows):
-    """Prints what `judge` found."""
+    """Prints the results of `judge`."""
     print("\nWrong insides, wrong signs of distances, and distances off by a millionth of the mesh, per cent\n")
     print("| mesh |" + "".join(f" {name}: insides | signs | distances |" for name in PEERS))
     print("|---|" + "---:|" * 3 * len(PEERS))

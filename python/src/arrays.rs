@@ -1,4 +1,4 @@
-//! Arrays as they come from Python, of any strides, read row by row.
+//! Arrays of any strides from Python, read row by row.
 
 use std::ops::Range;
 
@@ -24,7 +24,7 @@ pub(crate) struct Rays<'py, S: Space> {
 }
 
 impl<'py, S: Space> Rays<'py, S> {
-    /// The arrays, if they fit together.
+    /// Checks that the arrays have equal lengths.
     pub(crate) fn new(arrays: [&Bound<'py, PyAny>; 4]) -> PyResult<Self> {
         let [origins, directions, tmin, tmax] = arrays;
         let (origins, directions) = (points::<S>(origins, "origins")?, points::<S>(directions, "directions")?);
@@ -52,7 +52,7 @@ impl<'py, S: Space> Rays<'py, S> {
             let ray = Ray::within(vector(&origins), vector(&directions), tmin[row], tmax[row]);
             ray.map_err(|error| of_ray(error, row))
         };
-        // On all threads: while this one holds the interpreter's lock, nobody changes the arrays.
+        // Runs on all threads. This thread holds the interpreter's lock, so the arrays do not change.
         threads.map(rows, ray)
     }
 }
@@ -60,7 +60,7 @@ impl<'py, S: Space> Rays<'py, S> {
 /// The address of an array. `resize(refcheck=False)` moves an array under all its views, and `NumPy` does not report it.
 pub(crate) struct Place<'py> {
     name: &'static str,
-    /// The array that has the memory, of which the other may be a view.
+    /// The array that owns the memory; the other array may be a view of it.
     owner: Bound<'py, PyAny>,
     /// Address and bytes.
     found: (usize, usize),
@@ -99,7 +99,7 @@ pub(crate) fn check_places(places: &[Place<'_>]) -> PyResult<()> {
     Ok(())
 }
 
-/// An array of shape (n, 3) of the numbers of a scene.
+/// An array of shape (n, 3), with the number type of a scene.
 pub(crate) fn points<'py, S: Space>(array: &Bound<'py, PyAny>, name: &str) -> PyResult<PyReadonlyArray2<'py, S::Real>> {
     let unfit = || refused(format!("{name}: expected an array of {} of shape (n, 3)", S::DTYPE));
     check_aligned(array, name)?;
@@ -107,7 +107,7 @@ pub(crate) fn points<'py, S: Space>(array: &Bound<'py, PyAny>, name: &str) -> Py
     if array.as_array().ncols() == 3 { Ok(array) } else { Err(unfit()) }
 }
 
-/// An array of shape (n,) of the numbers of a scene.
+/// An array of shape (n,), with the number type of a scene.
 pub(crate) fn numbers<'py, S: Space>(
     array: &Bound<'py, PyAny>,
     name: &str,
@@ -116,19 +116,18 @@ pub(crate) fn numbers<'py, S: Space>(
     array.extract().map_err(|_| refused(format!("{name}: expected an array of {} of shape (n,)", S::DTYPE)))
 }
 
-/// Numbers that do not lie where numbers of their size lie would be read as others. The modules in Python copy such
-/// arrays.
+/// Refuses unaligned arrays, which would be read wrongly. The Python modules copy such arrays.
 pub(crate) fn check_aligned(array: &Bound<'_, PyAny>, name: &str) -> PyResult<()> {
     let is_aligned = array.getattr("flags").and_then(|flags| flags.getattr("aligned")?.extract());
     if is_aligned.unwrap_or(true) { Ok(()) } else { Err(refused(format!("{name}: expected an aligned array"))) }
 }
 
-/// Three numbers of an array whose rows have so many.
+/// Three numbers of a row. Rows have at least three numbers.
 pub(crate) fn row_of<T: Copy>(array: &ArrayView2<'_, T>, row: usize) -> [T; 3] {
     [array[[row, 0]], array[[row, 1]], array[[row, 2]]]
 }
 
-/// The mesh of arrays of vertices, shape (n, 3), and of faces, shape (m, 3).
+/// The mesh from arrays of vertices, shape (n, 3), and of faces, shape (m, 3).
 pub(crate) fn mesh<S: Space>(vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAny>) -> PyResult<Mesh<S::Vector>> {
     let vertices = vertices_of::<S>(vertices)?;
     check_aligned(faces, "faces")?;
@@ -144,7 +143,7 @@ pub(crate) fn mesh<S: Space>(vertices: &Bound<'_, PyAny>, faces: &Bound<'_, PyAn
     mesh_of::<S>(vertices, faces)
 }
 
-/// A mesh, or which row is at fault.
+/// A mesh; errors name the row.
 pub(crate) fn mesh_of<S: Space>(vertices: Vec<S::Vector>, faces: Vec<[u32; 3]>) -> PyResult<Mesh<S::Vector>> {
     Mesh::new(vertices, faces).map_err(of_mesh)
 }

@@ -1,4 +1,4 @@
-//! Long work: with the interpreter's lock released, so that Ctrl-C ends it and its progress is told.
+//! Long work without the interpreter's lock, so that Ctrl-C can end it and progress can be reported.
 
 use std::ops::Range;
 use std::panic::resume_unwind;
@@ -14,18 +14,18 @@ use crate::errors::failed;
 use crate::memory;
 use crate::threads::{Threads, none_started};
 
-/// How many rows are answered between two looks at signals: some tenths of a second at the slowest.
+/// Number of rows between checks of signals: some tenths of a second for slow queries.
 pub(crate) const PIECE: usize = 1 << 16;
 
-/// More than a row and its answer take while they are worked on. Answers without a limit ask for more by themselves.
+/// An upper bound of the bytes for a row and its answer during the work. Unbounded answers reserve their own memory.
 const ROW_BYTES: usize = 1 << 10;
 
-/// Reads some rows with the interpreter's lock, answers them without it, and keeps the answers with it; and so on to
-/// the last row. No more than `few` rows are left to this thread, and others to all. After each piece
-/// `progress(done, count)` is called, which may fork: so each piece finds its threads.
+/// Reads rows with the interpreter's lock, answers them without the lock, and keeps the answers with the lock, piece by
+/// piece. This thread answers pieces of up to `few` rows; all threads answer longer pieces. After each piece it calls
+/// `progress(done, count)`, which may fork, so each piece gets its threads again.
 ///
 /// # Errors
-/// Those of the three, of `progress`, and of signals: `KeyboardInterrupt`.
+/// Errors of the three functions, of `progress`, and of signals: `KeyboardInterrupt`.
 pub(crate) fn in_pieces<I: Send, A: Send>(
     py: Python<'_>,
     (count, few): (usize, usize),
@@ -49,18 +49,18 @@ pub(crate) fn in_pieces<I: Send, A: Send>(
     Ok(())
 }
 
-/// Time between two looks at signals while another thread works.
+/// Time between checks of signals while another thread works.
 const TURN: Duration = Duration::from_millis(50);
 
-/// More than a thread takes to begin, which ends if it lacks them.
+/// An upper bound of the memory for starting a thread. Starting a thread without it aborts the process.
 const THREAD_BYTES: usize = 4 << 20;
 
-/// Does one long work in the background, on all threads. It is given a function that is to be told of its steps, of which
-/// there are `count`; now and then `progress(done, count)` is called on this thread.
+/// Runs a long work in the background, on all threads. The work receives a function that reports its steps, out of
+/// `count`. This thread calls `progress(done, count)` periodically.
 ///
 /// # Errors
-/// Those of the work, of `progress`, and of signals. Then the other thread unwinds when it next tells of a step, and this
-/// waits for that no longer than a turn.
+/// Errors of the work, of `progress`, and of signals. After an error, the background thread unwinds at its next step.
+/// This function waits for that at most one [`TURN`].
 pub(crate) fn in_background<A: Send + 'static>(
     py: Python<'_>,
     count: usize,
@@ -74,12 +74,12 @@ pub(crate) fn in_background<A: Send + 'static>(
     let run = move || {
         let tell = |steps| {
             if told.1.load(Ordering::Relaxed) {
-                // A builder cannot be told to stop. This is no panic: no hook is called, and nobody joins the thread.
+                // A builder cannot be stopped. `resume_unwind` calls no panic hook, and no code joins the thread.
                 resume_unwind(Box::new("given up"));
             }
             told.0.fetch_add(steps, Ordering::Relaxed);
         };
-        // Nobody listens any more after an error.
+        // After an error the channel is closed.
         drop(sender.send(threads.run(|| work(&tell))));
     };
     memory::check(THREAD_BYTES)?;
@@ -90,7 +90,7 @@ pub(crate) fn in_background<A: Send + 'static>(
             let steps = done.0.load(Ordering::Relaxed);
             progress.call1((steps.min(count), count))?;
         }
-        // `progress` or the handler of a signal may have forked.
+        // `progress` or a signal handler may have forked.
         if std::process::id() == process { Ok(()) } else { Err(failed("only the process that began this can end it")) }
     };
     loop {

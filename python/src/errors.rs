@@ -1,4 +1,4 @@
-//! Errors of the library as exceptions: `ValueError` where an argument is at fault, `RuntimeError` for the rest.
+//! Errors of the library as exceptions: `ValueError` for invalid arguments, `RuntimeError` for other errors.
 
 use std::io::{self, ErrorKind};
 use std::path::Path;
@@ -9,17 +9,17 @@ use pyo3::prelude::*;
 use stackless_bvh::bvh::RefitError;
 use stackless_bvh::geom::{BallError, MeshError, RayError};
 
-/// What an argument is refused with.
+/// An error for an invalid argument.
 pub(crate) fn refused(message: impl ToString) -> PyErr {
     PyValueError::new_err(message.to_string())
 }
 
-/// What is no argument's fault.
+/// An error that no argument causes.
 pub(crate) fn failed(message: impl ToString) -> PyErr {
     PyRuntimeError::new_err(message.to_string())
 }
 
-/// An error of the file system as `open` raises it: of the kind that its number says, with the path.
+/// An error of the file system, like an error of `open`: with the exception type of its number, and the path.
 pub(crate) fn of_file(error: io::Error, path: &Path) -> PyErr {
     let number = error.raw_os_error().or(match error.kind() {
         ErrorKind::PermissionDenied => Some(13),
@@ -29,7 +29,7 @@ pub(crate) fn of_file(error: io::Error, path: &Path) -> PyErr {
     match number {
         Some(number) => {
             let message = error.to_string();
-            // Python adds the number by itself.
+            // Python adds the number.
             let message = message.split(" (os error").next().unwrap_or_default().to_owned();
             PyOSError::new_err((number, message, path.as_os_str().to_owned()))
         }
@@ -37,26 +37,26 @@ pub(crate) fn of_file(error: io::Error, path: &Path) -> PyErr {
     }
 }
 
-/// A mesh that is none, with the row at fault.
+/// An error for an invalid mesh, with the row.
 pub(crate) fn of_mesh(error: MeshError) -> PyErr {
     refused(match error {
         MeshError::Empty => "faces: no rows, expected at least one".into(),
         MeshError::NonFinite { vertex, position } => {
             format!("vertices[{vertex}]: {}, expected finite numbers", listed(position))
         }
-        // Indices were checked where they were read.
+        // Indices are checked earlier.
         MeshError::Index { .. } | MeshError::TooMany { .. } => error.to_string(),
         MeshError::Environment(_) => return failed(error),
     })
 }
 
-/// An index that no vertex has.
+/// The message for an index without a vertex.
 pub(crate) fn index_message(face: usize, index: i64, corner: usize, vertices: usize) -> String {
     let expected = if index < 0 { ">= 0".into() } else { format!("< {vertices}") };
     format!("faces[{face}]: index {index} of vertex {corner}, expected {expected}")
 }
 
-/// A ray that is none, with the row at fault.
+/// An error for an invalid ray, with the row.
 pub(crate) fn of_ray(error: RayError, row: usize) -> PyErr {
     refused(match error {
         RayError::Origin(origin) => format!("origins[{row}]: {}, expected finite numbers", listed(origin)),
@@ -70,7 +70,7 @@ pub(crate) fn of_ray(error: RayError, row: usize) -> PyErr {
     })
 }
 
-/// A ball that is none, with the row at fault.
+/// An error for an invalid ball, with the row.
 pub(crate) fn of_ball(error: BallError, row: usize) -> PyErr {
     refused(match error {
         BallError::Center(point) => format!("points[{row}]: {}, expected finite numbers", listed(point)),
@@ -79,7 +79,7 @@ pub(crate) fn of_ball(error: BallError, row: usize) -> PyErr {
     })
 }
 
-/// A mesh that a hierarchy cannot take on.
+/// An error for a mesh that does not fit a hierarchy.
 pub(crate) fn of_refit(error: RefitError) -> PyErr {
     match error {
         RefitError::Revived(face) => refused(format!(
@@ -90,7 +90,7 @@ pub(crate) fn of_refit(error: RefitError) -> PyErr {
     }
 }
 
-/// A point as Python writes lists.
+/// Formats a point like a Python list.
 pub(crate) fn listed(DVec3 { x, y, z }: DVec3) -> String {
     format!("[{x}, {y}, {z}]")
 }

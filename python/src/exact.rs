@@ -1,4 +1,4 @@
-//! Rays that begin at exact points, those of hits or of floats, as a Python object. `[SECOND-1]`
+//! Rays that start at exact points (of hits or of floats), as a Python object. `[SECOND-1]`
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::queries::{Found, HitArrays, Progress};
 use crate::space::{Double, Single, Space};
 use crate::threads::{FEW, Threads, of_chunks};
 
-/// Rays over one mesh, with exact origins. A row may be without a ray: that of a hit that there was not.
+/// Rays over one mesh, with exact origins. A row without a hit has no ray.
 #[pyclass(frozen, module = "stackless_bvh._native")]
 pub(crate) struct ExactRays(Precision);
 
@@ -32,7 +32,7 @@ struct Batch<S: Space> {
     rays: Vec<Option<ExactRay<S::Vector>>>,
 }
 
-/// The same expression for either precision.
+/// Evaluates an expression in either precision.
 macro_rules! either {
     ($rays:expr, $batch:ident => $run:expr) => {
         match &$rays.0 {
@@ -64,7 +64,7 @@ impl ExactRays {
         either!(self, batch => batch.any(py, progress.as_ref()))
     }
 
-    /// From the points at which the rays hit `primitives`, along `directions`. Open ends do not belong to the ray.
+    /// Rays from the hits of `primitives`, along `directions`. Open ends do not belong to the ray.
     fn along<'py>(
         &self,
         py: Python<'py>,
@@ -76,7 +76,7 @@ impl ExactRays {
         either!(self, batch => batch.along(py, &primitives, (directions, tmax), ends(closed)).map(|made| Self(made.into())))
     }
 
-    /// From the points at which the rays hit `primitives` to `targets`.
+    /// Rays from the hits of `primitives` to `targets`.
     fn toward<'py>(
         &self,
         py: Python<'py>,
@@ -100,7 +100,7 @@ impl From<Batch<Double>> for Precision {
     }
 }
 
-/// Rays of floats, whose ends belong to them.
+/// Rays of floats, with closed ends.
 #[expect(private_bounds, reason = "`Precision` is of this module")]
 pub(crate) fn of_rays<'py, S: Space>(
     py: Python<'py>,
@@ -118,7 +118,7 @@ where
     Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays }.into()))
 }
 
-/// The rays from points of floats to others, at which `t` is 1 exactly.
+/// Rays from float points to float points, where `t` is 1 exactly.
 #[expect(private_bounds, reason = "`Precision` is of this module")]
 pub(crate) fn segments<'py, S: Space>(
     py: Python<'py>,
@@ -144,7 +144,7 @@ where
     Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays }.into()))
 }
 
-/// Reads all rows of arrays that stay in their places, piece by piece.
+/// Reads all rows of arrays piece by piece, and checks that the arrays do not move.
 fn gathered<T: Send>(
     py: Python<'_>,
     count: usize,
@@ -233,7 +233,7 @@ impl<S: Space> Batch<S> {
         })
     }
 
-    /// A ray of each hit, made of its row and its exact point.
+    /// A ray for each hit, from its row and its exact point.
     fn onward<'py>(
         &self,
         py: Python<'py>,
@@ -271,7 +271,7 @@ const fn ends(closed: bool) -> Ends {
     if closed { Ends::Closed } else { Ends::Open }
 }
 
-/// Two points that are no ray.
+/// An error for two points without a ray.
 fn of_ends(error: RayError, row: usize) -> PyErr {
     match error {
         RayError::ZeroDirection => refused(format!("row {row}: both ends are one point, expected two")),

@@ -14,12 +14,12 @@ use crate::batch::in_background;
 use crate::errors::{of_file, refused};
 use crate::memory::{self, lacking, room};
 
-/// Steps that reading or writing a file reports: per cent.
+/// Number of progress steps of reading or writing a file: per cent.
 pub(crate) const STEPS: usize = 100;
 
-/// Writes bytes to a file, whole or not at all.
+/// Writes bytes to a file, atomically.
 pub(crate) fn write(path: &Path, bytes: &[u8], tell: &(dyn Fn(usize) + Sync)) -> PyResult<()> {
-    // What was given up before is not begun.
+    // A cancelled write does not start.
     tell(0);
     let percent = |done: usize| done * STEPS / bytes.len();
     let write = |file: &mut dyn io::Write| {
@@ -34,7 +34,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8], tell: &(dyn Fn(usize) + Sync)) ->
     write_atomically(path, write).map_err(|error| of_file(error, path))
 }
 
-/// The bytes of a file.
+/// Reads the bytes of a file.
 pub(crate) fn read(path: &Path, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Vec<u8>> {
     let of_file = |error| of_file(error, path);
     let mut file = File::open(path).map_err(of_file)?;
@@ -48,14 +48,14 @@ pub(crate) fn read(path: &Path, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Vec<u
 
 /// The bytes of a scene.
 pub(crate) fn to_bytes<V: Precision + Stored>(mesh: &Mesh<V>, bvh: &WideBvh<8, V>) -> PyResult<Vec<u8>> {
-    // The bytes of the hierarchy are made before they are appended.
+    // The bytes of the hierarchy exist twice: alone, and appended.
     let bytes = size_of_val(mesh.vertices()) + size_of_val(mesh.triangles()) + bvh.bytes();
     memory::check(bytes + bvh.bytes())?;
     scene_to_bytes(mesh, bvh).map_err(|_| lacking(bytes))
 }
 
-/// The mesh in a file, in the order of the file, and what was skipped or changed; in single precision also what was
-/// rounded. (In double precision decimals always are.)
+/// The mesh in a file, in the order of the file, with a note about skipped or changed parts; in single precision also
+/// about rounding. (In double precision decimals are always rounded.)
 pub(crate) fn load_mesh<V: Position>(py: Python<'_>, path: PathBuf) -> PyResult<(Mesh<V>, Option<String>)> {
     let read = move |_: &(dyn Fn(usize) + Sync)| {
         let mut loaded = stackless_scene::load::<V>(&path).map_err(|error| match error {

@@ -1,4 +1,4 @@
-//! Points in arrays: inside, outside, and how often the mesh winds around them.
+//! Points in arrays: inside, outside, and winding numbers.
 
 use std::ops::Range;
 
@@ -24,7 +24,7 @@ pub(crate) fn rule_of(name: &str) -> PyResult<Rule> {
     Rule::ALL.into_iter().find(|rule| rule.name() == name).ok_or_else(expected)
 }
 
-/// Whether each point is inside of a mesh, and `surface` for those on it.
+/// Whether each point is inside the mesh; `surface` for points on it.
 pub(crate) fn contains<'py, S: Space>(
     py: Python<'py>,
     solid: Solid<'_, S>,
@@ -42,7 +42,7 @@ pub(crate) fn contains<'py, S: Space>(
     of_points::<S, _>(py, points, answer, progress)
 }
 
-/// How far each point is from a mesh: negative inside.
+/// The distance of each point from a mesh, negative inside.
 pub(crate) fn signed_distances<'py, S: Space>(
     py: Python<'py>,
     solid: Solid<'_, S>,
@@ -55,7 +55,7 @@ pub(crate) fn signed_distances<'py, S: Space>(
     of_points::<S, _>(py, points, answer, progress)
 }
 
-/// The winding number of each point; of one on a face that of one of its sides.
+/// The winding number of each point. A point on a face gets the number of one of the sides.
 pub(crate) fn winding_numbers<'py, S: Space>(
     py: Python<'py>,
     solid: Solid<'_, S>,
@@ -67,13 +67,13 @@ pub(crate) fn winding_numbers<'py, S: Space>(
     of_points::<S, _>(py, points, |points| bvh.windings(mesh, boundary, tolerance, points), progress)
 }
 
-/// Checks that there is memory for the hierarchy of the border, which the first point makes: more than was seen to be in use.
+/// Checks the memory for the hierarchy of the border, which the first point builds. The bound exceeds measured use.
 fn with_room<S: Space>(solid: Solid<'_, S>) -> PyResult<Solid<'_, S>> {
     let (_, _, boundary) = solid;
     memory::check(512 * boundary.borders.len()).map(|()| solid)
 }
 
-/// An answer for each point.
+/// Computes an answer for each point.
 fn of_points<'py, S: Space, A: Send + numpy::Element>(
     py: Python<'py>,
     array: &Bound<'py, PyAny>,

@@ -1,4 +1,4 @@
-//! Scenes that are placed many times, as a Python object.
+//! Scenes with many placements, as a Python object.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -19,19 +19,19 @@ use crate::scene::Scene;
 use crate::space::{Single, Space};
 use crate::threads::{FEW, Threads};
 
-/// Scenes in single precision and groups of them, placed by affine maps.
+/// Scenes in single precision and groups of scenes, placed by affine maps.
 #[pyclass(frozen, module = "stackless_bvh._native")]
 pub(crate) struct Instances {
     group: Arc<Group>,
     tracer: InstanceTracer,
 }
 
-/// What is placed where: from it the group is made again within another one.
+/// The placements of a group, for adding the group to another group.
 struct Group {
     parts: Vec<Part>,
-    /// Which part, and by which map.
+    /// The index of a part, and its map.
     placed: Vec<(usize, AffineMap)>,
-    /// How deep groups are nested: 1 if all parts are meshes.
+    /// Nesting depth of groups: 1 if all parts are meshes.
     levels: usize,
 }
 
@@ -40,7 +40,7 @@ enum Part {
     Group(Arc<Group>),
 }
 
-/// What a part is to be made of.
+/// The source of a part.
 enum Source {
     Mesh(Arc<Mesh>),
     Group(Arc<Group>),
@@ -92,7 +92,7 @@ impl Instances {
         self.group.placed.len()
     }
 
-    /// Rows of instances from the outermost group on, -1 where there is none, and what a scene answers.
+    /// Rows of instances from the outermost group on, -1 for unused levels, and the answers of a scene.
     fn closest<'py>(
         &self,
         py: Python<'py>,
@@ -137,7 +137,7 @@ impl Instances {
 }
 
 impl Source {
-    /// How many are to be put in a hierarchy.
+    /// Number of faces in hierarchies that are still to be built.
     fn faces(&self) -> usize {
         match self {
             Self::Mesh(mesh) => mesh.triangles().len(),
@@ -163,7 +163,7 @@ impl Part {
 }
 
 impl Group {
-    /// The group and all that is in it; each group that is `known`, by its address, is there once.
+    /// Adds the group and its parts. A group in `known`, by its address, is added once.
     fn add_to(
         &self,
         assembly: &mut Assembly,

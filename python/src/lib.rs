@@ -1,6 +1,6 @@
-//! The extension module of the Python package `stackless_bvh`: arrays in, answers of the library, arrays out.
+//! The extension module of the Python package `stackless_bvh`: input arrays, the library's answers, output arrays.
 //!
-//! The modules of the package check the kinds and the shapes of arrays; what stands in them is checked here.
+//! The Python modules check the types and shapes of arrays; this module checks the values.
 #![forbid(unsafe_code)]
 
 mod arrays;
@@ -19,7 +19,7 @@ mod threads;
 
 use pyo3::prelude::*;
 
-/// What the package is made of.
+/// The content of the extension module.
 #[pymodule]
 mod _native {
     #[pymodule_export]

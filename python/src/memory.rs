@@ -5,13 +5,13 @@ use std::hint::black_box;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
-/// Bytes that stay free for small allocations, which are not checked. The allocator asks the system for a MiB at a time.
+/// Bytes that stay free for small allocations, which are not checked. The allocator requests memory in steps of a MiB.
 const SPARE: usize = 8 << 20;
 
 /// Fewer bytes than this are a small allocation.
 const SMALL: usize = 1 << 16;
 
-/// Returns an empty vector with room for `count` items.
+/// Returns an empty vector with capacity for `count` items.
 pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
     check(count.saturating_mul(size_of::<T>()))?;
     let mut all = Vec::new();
@@ -19,18 +19,18 @@ pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
     Ok(all)
 }
 
-/// Reserves room for `count` more items, and for later ones.
+/// Reserves capacity for `count` more items, and for later items.
 pub(crate) fn reserve<T>(all: &mut Vec<T>, count: usize) -> PyResult<()> {
     let bytes = all.len().saturating_add(count).saturating_mul(size_of::<T>());
     if all.capacity() - all.len() < count {
-        // Room is doubled at least.
+        // Vectors at least double their capacity.
         check(all.len().max(count).saturating_mul(size_of::<T>()))?;
     }
     all.try_reserve(count).map_err(|_| lacking(bytes))
 }
 
-/// Checks that `bytes` can be allocated, for work that aborts without them: allocates and frees them. If they are many,
-/// [`SPARE`] is left beside them.
+/// Checks that `bytes` can be allocated, for code that would abort: allocates and frees them. For large sizes it leaves
+/// [`SPARE`].
 pub(crate) fn check(bytes: usize) -> PyResult<()> {
     let spare = if bytes < SMALL { 0 } else { SPARE };
     let mut all = Vec::<u8>::new();
@@ -40,7 +40,7 @@ pub(crate) fn check(bytes: usize) -> PyResult<()> {
     Ok(())
 }
 
-/// Checks the memory of work that several threads share. The allocator gives a thread up to 64 MiB at once.
+/// Checks the memory of work that several threads share. The allocator reserves up to 64 MiB for each thread.
 pub(crate) fn check_shared(bytes: usize, threads: usize) -> PyResult<()> {
     check(bytes.saturating_add(threads.saturating_mul(bytes.min(64 << 20))))
 }

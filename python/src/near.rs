@@ -15,17 +15,17 @@ use crate::queries::{Progress, number_of};
 use crate::space::{Coordinate, Space};
 use crate::threads::{FEW, Threads, of_chunks};
 
-/// Distances, triangles and points, `k` of each row; infinite, -1 and NaN where there are fewer.
+/// Distances, triangles and points, `k` for each row; infinite, -1 and NaN if there are fewer.
 pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
 
-/// Weights, parts of the triangles, and normals, one of each for each triangle that is found; NaN, 255 and NaN where
-/// there is none, and a NaN for the normal of a triangle without area.
+/// Weights, parts of the triangles, and normals, for each found triangle; NaN, 255 and NaN for missing triangles. The
+/// normal of a triangle without area is NaN.
 pub(crate) type Details<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray2<R>>);
 
-/// Details are there where they are asked for.
+/// Details are optional.
 pub(crate) type Answer<'py, R> = (NearArrays<'py, R>, Option<Details<'py, R>>);
 
-/// Finds the `k` nearest triangles of each point, and says more about each if it is to.
+/// Finds the `k` nearest triangles of each point, with details on request.
 pub(crate) fn nearest<'py, S: Space>(
     py: Python<'py>,
     (mesh, bvh): (&Mesh<S::Vector>, &S),
@@ -52,7 +52,7 @@ pub(crate) fn nearest<'py, S: Space>(
         check_places(&places)?;
         rows.map(ball).collect::<PyResult<Vec<_>>>()
     };
-    // No point has more faces near it than there are.
+    // There are no more results than faces.
     let most = k.min(mesh.triangles().len());
     let few = if k == 1 { FEW } else { FEW_BALLS };
     let answer = |balls: Vec<_>| {
@@ -96,13 +96,13 @@ pub(crate) fn nearest<'py, S: Space>(
     Ok((near, details))
 }
 
-/// The part of a triangle where no triangle is found.
+/// The part of a missing triangle.
 const NO_PLACE: u8 = 255;
 
-/// A search for several triangles takes longer than a ray.
+/// A smaller limit than for rays, because a search for several triangles takes longer.
 const FEW_BALLS: usize = 64;
 
-/// More than a triangle takes while it is among the nearest.
+/// An upper bound of the memory for one of the nearest triangles.
 const NEAR_BYTES: usize = 128;
 
 fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResult<Nears<S>> {
@@ -122,16 +122,16 @@ fn nearest_of<S: Space>(bvh: &S, balls: &[Ball<S::Vector>], k: usize) -> PyResul
     Ok(chunks?.into_iter().flatten().collect())
 }
 
-/// Those of each point.
+/// The nearest triangles of each point.
 type Nears<S> = Vec<Vec<Near<<S as Space>::Vector>>>;
 
-/// The details of a triangle that is found.
+/// The details of a found triangle.
 struct Detail<R> {
     foot: Foot<R>,
     normal: [R; 3],
 }
 
-/// Finds the details of all triangles that are found, in order.
+/// Computes the details of all found triangles, in order.
 fn details_of<S: Space>(
     mesh: &Mesh<S::Vector>,
     balls: &[Ball<S::Vector>],

@@ -14,7 +14,7 @@ use crate::memory::{reserve, room};
 use crate::space::{Coordinate, Space};
 use crate::threads::{FEW, ROWS, Threads, of_chunks};
 
-/// What is called between pieces.
+/// A function that is called between pieces.
 pub(crate) type Progress<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 
 /// Distances, triangles and weights.
@@ -54,7 +54,7 @@ pub(crate) fn any<'py, S: Space>(
     Ok(found.into_pyarray(py))
 }
 
-/// How often each ray crosses the mesh, by the half-open rule.
+/// Number of crossings of each ray with the mesh, by the half-open rule.
 pub(crate) fn crossings<'py, S: Space>(
     py: Python<'py>,
     bvh: &S,
@@ -71,8 +71,8 @@ pub(crate) fn crossings<'py, S: Space>(
     Ok(found.into_pyarray(py))
 }
 
-/// Where the hits of each ray begin among all, then distances, triangles, weights and places: 0 in the interior of the
-/// triangle, 1 on an edge, 2 at a corner.
+/// The start of each ray's hits, then distances, triangles, weights and places: 0 in the interior of the triangle, 1 on
+/// an edge, 2 at a corner.
 pub(crate) type AllArrays<'py, R> = (Bound<'py, PyArray1<i64>>, HitArrays<'py, R>, Bound<'py, PyArray1<u8>>);
 
 /// All hits of each ray.
@@ -102,7 +102,7 @@ pub(crate) fn all<'py, S: Space>(
     Ok((offsets.into_pyarray(py), found.into_arrays(py)?, places.into_pyarray(py)))
 }
 
-/// All hits of some rays, where those of each ray end, and what the hits lie on.
+/// All hits of some rays, the end of each ray's hits, and the places of hits.
 struct AllOf<R> {
     ends: Vec<usize>,
     hits: Vec<Hit<R>>,
@@ -123,7 +123,8 @@ fn all_of<S: Space>(mesh: &Mesh<S::Vector>, bvh: &S, rays: &[Ray<S::Vector>]) ->
     Ok(all)
 }
 
-/// On which part of the triangle a hit is, exactly: weights that are far from 0 and 1 tell it, else rational arithmetic.
+/// The part of the triangle with a hit, exactly. Weights far from 0 and 1 decide; otherwise rational arithmetic
+/// decides.
 fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V::Real>) -> u8 {
     let [u, v, near]: [f64; 3] = [hit.u, hit.v, V::Real::NEAR].map(Into::into);
     if u > near && v > near && 1.0 - u - v > near {
@@ -132,12 +133,12 @@ fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V:
     let corners = mesh.triangle(hit.prim as usize).map(V::components);
     match meet(corners, ray.origin().components(), ray.direction().components()) {
         Meeting::Hit(Point { place, .. }) => number_of(place),
-        // Nothing else: it is a hit.
+        // Unreachable: the ray hits.
         Meeting::Miss | Meeting::Coplanar => 0,
     }
 }
 
-/// A part of a triangle in arrays.
+/// The number of a part of a triangle in arrays.
 pub(crate) const fn number_of(place: Place) -> u8 {
     match place {
         Place::Interior => 0,
@@ -146,7 +147,7 @@ pub(crate) const fn number_of(place: Place) -> u8 {
     }
 }
 
-/// Arrays of hits that grow.
+/// Growing arrays of hits.
 pub(crate) struct Found<R> {
     t: Vec<R>,
     primitive: Vec<i64>,
@@ -158,7 +159,7 @@ impl<R: Coordinate> Found<R> {
         Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(count)? })
     }
 
-    /// Reserves room for `count` more.
+    /// Reserves space for `count` more hits.
     fn reserve(&mut self, count: usize) -> PyResult<()> {
         reserve(&mut self.t, count)?;
         reserve(&mut self.primitive, count)?;
@@ -171,7 +172,7 @@ impl<R: Coordinate> Found<R> {
         self.uv.push(weights(hit));
     }
 
-    /// On all threads: a processor traces some million rays a second, and one thread would keep little more.
+    /// Runs on all threads, because a single thread would be slower than tracing.
     fn extend(&mut self, threads: &Threads, hits: &[Option<Hit<R>>]) {
         if hits.len() <= ROWS {
             for hit in hits {

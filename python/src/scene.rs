@@ -26,14 +26,14 @@ pub(crate) struct Scene {
     held: Either,
 }
 
-/// In single or in double precision.
+/// A mesh in single or in double precision.
 #[derive(Clone)]
 enum Either {
     Single(Box<Held<Single>>),
     Double(Box<Held<Double>>),
 }
 
-/// A mesh, its hierarchy, and what is known of its edges. Copies share them until one is changed.
+/// A mesh, its hierarchy, and its boundary. Copies share them until one copy changes.
 #[derive(Clone)]
 struct Held<S: Space> {
     mesh: Arc<Mesh<S::Vector>>,
@@ -41,7 +41,7 @@ struct Held<S: Space> {
     boundary: OnceLock<Boundary>,
 }
 
-/// The same expression for either precision.
+/// Evaluates an expression in either precision.
 macro_rules! either {
     ($scene:expr, $held:ident, $space:ident => $run:expr) => {
         match &$scene.held {
@@ -103,7 +103,7 @@ impl Scene {
         in_background(py, file::STEPS, progress.as_ref(), work)
     }
 
-    /// A scene of a mesh file, and what there is to say of the file.
+    /// Reads a scene from a mesh file, with a note about the file.
     #[staticmethod]
     fn load_mesh(
         py: Python<'_>,
@@ -145,7 +145,7 @@ impl Scene {
         either!(self, _held, S => S::DTYPE)
     }
 
-    /// Memory in bytes: of the mesh, and of the hierarchy.
+    /// Memory of the mesh and of the hierarchy, in bytes.
     #[getter]
     fn bytes(&self) -> (usize, usize) {
         either!(self, held, S => {
@@ -172,7 +172,7 @@ impl Scene {
         indices.into_pyarray(py).reshape([faces.len(), 3])
     }
 
-    /// The numbers of open edges, of unpaired ones and of repeated faces, and what is wrong with the first open edge.
+    /// Numbers of open edges, unpaired edges and repeated faces, and a message for the first open edge.
     fn boundary(&self, py: Python<'_>) -> PyResult<(usize, usize, usize, Option<String>)> {
         let boundary = either!(self, held, _S => held.boundary(py)?);
         let wrong = boundary.first.map(|edge| {
@@ -217,12 +217,12 @@ impl Scene {
         })
     }
 
-    /// The same rays, from which others can go on.
+    /// Rays with exact hits, from which rays can continue.
     fn exact<'py>(&self, py: Python<'py>, rays: [Bound<'py, PyAny>; 4]) -> PyResult<ExactRays> {
         either!(self, held, S => exact::of_rays::<S>(py, (&held.mesh, &held.bvh), &Rays::new(rays.each_ref())?))
     }
 
-    /// Rays from points to others.
+    /// Rays from points to points.
     fn segments<'py>(&self, py: Python<'py>, ends: [Bound<'py, PyAny>; 2], closed: bool) -> PyResult<ExactRays> {
         either!(self, held, S => exact::segments::<S>(py, (&held.mesh, &held.bvh), ends.each_ref(), closed))
     }
@@ -311,7 +311,7 @@ impl Scene {
 
 impl Either {
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
-        // More than all that is made of them.
+        // An upper bound of all memory for reading.
         memory::check(bytes.len().saturating_mul(3))?;
         let found = match scene_from_bytes(bytes) {
             Err(SavedError::Precision { .. }) => {
@@ -348,7 +348,7 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         })
     }
 
-    /// In three steps, each done or not: after an error or Ctrl-C the vertices are all old or all new.
+    /// Runs in three steps. After an error or Ctrl-C the vertices are all old or all new.
     fn refit(
         &mut self,
         py: Python<'_>,
@@ -370,14 +370,14 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         let mesh = py.detach(|| threads.run(|| mesh_of::<S>(vertices, triangles)))?;
         look(1)?;
         if Arc::get_mut(&mut self.bvh).is_none() {
-            // Others share the hierarchy, so that it is copied.
+            // A shared hierarchy is copied.
             memory::check(self.bvh.bytes())?;
         }
         py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).refit(&mesh)))?;
         (self.mesh, self.boundary) = (Arc::new(mesh), OnceLock::new());
         look(2)?;
         if optimize {
-            // More than was seen to be in use.
+            // An upper bound of the measured memory use.
             memory::check_shared(self.bvh.bytes() + 448 * self.mesh.triangles().len(), threads.count())?;
             py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).optimize()))?;
             look(3)?;
@@ -385,14 +385,14 @@ impl<S: Space<Vector: Stored> + 'static> Held<S> {
         Ok(())
     }
 
-    /// Two threads that come at once both look, and find the same. Neither waits for the other, which a child that was
-    /// forked meanwhile does not have.
+    /// Two threads may compute the boundary at the same time, with equal results. No thread waits for another thread: a
+    /// forked child does not have the parent's threads.
     fn boundary(&self, py: Python<'_>) -> PyResult<&Boundary> {
         if let Some(boundary) = self.boundary.get() {
             return Ok(boundary);
         }
         let threads = Threads::all(py)?;
-        // More than was seen to be in use.
+        // An upper bound of the measured memory use.
         memory::check(48 * self.mesh.vertices().len() + 448 * self.mesh.triangles().len())?;
         let boundary = py.detach(|| threads.run(|| Boundary::of(&self.mesh)));
         Ok(self.boundary.get_or_init(|| boundary))

@@ -1,4 +1,4 @@
-//! What differs between scenes in single and in double precision.
+//! The differences between scenes in single and in double precision.
 
 use std::sync::Arc;
 
@@ -17,13 +17,13 @@ use stackless_bvh::traverse::Method;
 use crate::errors::{failed, of_refit, refused};
 use crate::memory;
 
-/// A coordinate that arrays hold.
+/// A number type of arrays.
 pub(crate) trait Coordinate: Element + Copy + Into<f64> {
     /// The distance of a miss.
     const INFINITY: Self;
-    /// A weight or a coordinate where there is none.
+    /// A weight or a coordinate without a value.
     const NAN: Self;
-    /// 1 and 0 apart from a number nearer than this may be rounded: the exact weights are to be asked.
+    /// Numbers within this distance of 0 and 1 may be rounded, and need the exact weights.
     const NEAR: Self;
 }
 
@@ -39,32 +39,32 @@ impl Coordinate for f64 {
     const NEAR: Self = 4.0 * f64::EPSILON;
 }
 
-/// Answers of many rays, or what kept a thread from them.
+/// Answers of many rays, or the error of a thread.
 pub(crate) type Answers<A> = Result<Vec<A>, EnvironmentError>;
 
 /// A hierarchy over meshes of one precision.
 pub(crate) trait Space: Sized + Clone + Send + Sync {
     /// A position or direction.
     type Vector: Vector<Real = Self::Real>;
-    /// A number of it.
+    /// Its number type.
     type Real: Coordinate + stackless_bvh::geom::Real;
-    /// The array type's name.
+    /// The name of the array type.
     const DTYPE: &'static str;
 
-    /// `tell` hears how many faces have found their place since it was last called.
+    /// `tell` receives the number of faces placed since its last call.
     fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     fn optimize(&mut self) -> PyResult<()>;
-    /// A tracer of exact rays through this mesh alone.
+    /// A tracer of exact rays through this mesh only.
     fn alone(self: &Arc<Self>) -> PyResult<InstanceTracer<Self::Vector>>;
-    /// Memory, in bytes.
+    /// Memory in bytes.
     fn bytes(&self) -> usize;
 
     fn closest(&self, rays: &[Ray<Self::Vector>]) -> Answers<Option<Hit<Self::Real>>>;
     fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
     fn all(&self, ray: &Ray<Self::Vector>) -> Vec<Hit<Self::Real>>;
     fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
-    /// Where points are; each comes with its row.
+    /// Whether points are inside, outside or on the mesh. Each point has its row.
     fn locate(
         &self,
         mesh: &Mesh<Self::Vector>,
@@ -72,7 +72,7 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
         rule: Rule,
         points: &[Self::Vector],
     ) -> PyResult<Vec<Location>>;
-    /// How far they are, negative inside.
+    /// Distances of points, negative inside.
     fn signed_distances(
         &self,
         mesh: &Mesh<Self::Vector>,
@@ -80,7 +80,7 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
         rule: Rule,
         points: &[Self::Vector],
     ) -> PyResult<Vec<Self::Real>>;
-    /// Their winding numbers.
+    /// Winding numbers of points.
     fn windings(
         &self,
         mesh: &Mesh<Self::Vector>,
@@ -95,7 +95,7 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
 /// A hierarchy over a mesh in single precision.
 pub(crate) type Single = WideBvh;
 
-/// The same in double precision.
+/// A hierarchy over a mesh in double precision.
 pub(crate) type Double = WideBvh<8, DVec3>;
 
 impl<V: Precision + Stored> Space for WideBvh<8, V>
@@ -107,7 +107,7 @@ where
     const DTYPE: &'static str = if V::REAL_BYTES == 4 { "float32" } else { "float64" };
 
     fn build(mesh: &Mesh<V>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self> {
-        // More than was seen to be in use for a triangle (175 and 233 bytes), and with spatial splits (326 and 397).
+        // More than the measured use per triangle (175 and 233 bytes), and with spatial splits (326 and 397).
         let bytes = mesh.triangles().len() * (160 + 16 * size_of::<V::Real>());
         let bytes = if builder == Builder::Spatial { bytes * 8 / 5 } else { bytes };
         memory::check_shared(bytes, rayon::current_num_threads())?;

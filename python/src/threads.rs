@@ -1,4 +1,4 @@
-//! The threads of this process. A child that was forked has none of its parent's.
+//! The threads of this process. A forked child has none of its parent's threads.
 
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -8,25 +8,25 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// One thread traces so many rays: to wake another would take longer. The library has the same limit.
+/// Maximum number of rays for a single thread: waking another thread would take longer. The library has an equal limit.
 pub(crate) const FEW: usize = 256;
 
-/// The pool, and the process that made it.
+/// The pool, and the id of the process that created it.
 ///
-/// It is locked only by threads that hold the interpreter's lock. `os.fork` holds that too, so that the child never
-/// finds it locked by a thread that is not there.
+/// Only threads with the interpreter's lock lock it. `os.fork` holds that lock too, so a child never inherits it
+/// locked.
 static POOL: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 
-/// What shares some work: all threads of this process, or the one that calls.
+/// The threads for some work: all threads of this process, or only the calling thread.
 pub(crate) struct Threads(Option<Arc<ThreadPool>>);
 
 impl Threads {
-    /// The one that calls.
+    /// The calling thread.
     pub(crate) const fn one() -> Self {
         Self(None)
     }
 
-    /// All threads: as many as processors, or as `RAYON_NUM_THREADS` says.
+    /// All threads: `RAYON_NUM_THREADS`, or one for each processor.
     pub(crate) fn all(_: Python<'_>) -> PyResult<Self> {
         let mut held = POOL.lock().unwrap_or_else(PoisonError::into_inner);
         let process = std::process::id();
@@ -34,10 +34,10 @@ impl Threads {
             return Ok(Self(Some(Arc::clone(pool))));
         }
         let made = ThreadPoolBuilder::new().build().map_err(none_started)?;
-        // Each thread has its memory before it is asked how much is left.
+        // Each thread allocates its memory before the free memory is checked.
         made.broadcast(|_| ());
         let made = Arc::new(made);
-        // The parent's pool is not dropped: that would wait for threads that are not there.
+        // The parent's pool is not dropped: dropping would wait for threads that do not exist.
         std::mem::forget(held.replace((process, Arc::clone(&made))));
         Ok(Self(Some(made)))
     }
@@ -46,7 +46,7 @@ impl Threads {
         self.0.as_ref().map_or(1, |pool| pool.current_num_threads())
     }
 
-    /// Does work whose parallel parts these threads share.
+    /// Runs work whose parallel parts use these threads.
     pub(crate) fn run<A: Send>(&self, work: impl FnOnce() -> A + Send) -> A {
         match &self.0 {
             Some(pool) => pool.install(work),
@@ -54,7 +54,7 @@ impl Threads {
         }
     }
 
-    /// Makes an item of each index. Of several errors it returns the first.
+    /// Computes an item for each index. Of several errors it returns the first.
     pub(crate) fn map<A: Send>(
         &self,
         range: Range<usize>,
@@ -68,16 +68,16 @@ impl Threads {
     }
 }
 
-/// A thread that the system refuses: it has no memory for its stack, or has threads enough.
+/// The error for a thread that cannot be started: no memory for its stack, or too many threads.
 pub(crate) fn none_started(error: impl ToString) -> PyErr {
     let error = error.to_string();
     PyMemoryError::new_err(format!("no thread could be started: {error}; RAYON_NUM_THREADS limits their number"))
 }
 
-/// Rows that a thread reads or keeps at once.
+/// Number of rows that a thread reads or keeps at once.
 pub(crate) const ROWS: usize = 4096;
 
-/// What is made of each piece of some items, in order. It is one piece, if this thread has no others to share with.
+/// Computes a result for each piece of the items, in order. A single thread gets one piece.
 pub(crate) fn of_chunks<I: Sync, A: Send>(
     items: &[I],
     chunk: usize,

@@ -1,4 +1,4 @@
-"""Exact ray tracing on triangle meshes: every answer is that of rational arithmetic.
+"""Exact ray tracing on triangle meshes: every answer equals that of rational arithmetic.
 
 >>> import numpy as np
 >>> from stackless_bvh import Scene
@@ -10,9 +10,9 @@ array([1.])
 >>> scene.contains([[0.1, 0.1, 0.1], [1.0, 1.0, 1.0]])
 array([ True, False])
 
-The floats of the arrays are taken as the rational numbers that they are. Whether a ray meets a triangle, edges and
-corners included, is decided exactly. A distance is the float nearest to the exact one. So answers do not depend on how
-the scene was built, nor on the number of threads.
+The floats of the arrays are exact rational numbers. Intersections of rays and triangles, including edges and corners,
+are decided exactly. A distance is the float nearest to the exact distance. So answers depend neither on the builder of
+the scene nor on the number of threads.
 """
 
 from ._exact import ExactRays, Hits

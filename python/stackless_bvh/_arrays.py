@@ -1,4 +1,4 @@
-"""Arrays as users pass them: their kinds and shapes are checked here, with errors of one line."""
+"""Checks of the dtypes and shapes of arrays from users, with errors of one line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ INDICES = ("int32", "int64", "uint32")
 
 
 def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Vertices and faces as arrays whose values are still to be checked."""
+    """Returns vertices and faces as arrays with unchecked values."""
     points = array_of(vertices, "vertices", np.float64)
     if points.dtype not in FLOATS:
         raise TypeError(f"vertices: dtype {points.dtype}, expected float32 or float64")
@@ -24,7 +24,7 @@ def mesh_arrays(vertices: ArrayLike, faces: ArrayLike) -> tuple[NDArray[Any], ND
 def check_area(vertices: NDArray[Any], faces: NDArray[Any]) -> None:
     """Warns if each face repeats a corner or lies on a line along an axis, so that rays miss the whole mesh.
 
-    An ordinary mesh is recognized by its first face. Faces on other lines are not recognized.
+    The first face of an ordinary mesh has an area. Faces on other lines are not recognized.
     """
     for some in (faces[:1], faces):
         corners = vertices[some]
@@ -36,7 +36,7 @@ def check_area(vertices: NDArray[Any], faces: NDArray[Any]) -> None:
 
 
 def face_array(faces: ArrayLike) -> NDArray[Any]:
-    """Indices of a kind that is read as it is; others are converted if nothing is lost."""
+    """Returns indices of a supported dtype. Other integers are converted without loss."""
     array = array_of(faces, "faces", None)
     if array.dtype.kind not in "iu":
         raise TypeError(f"faces: dtype {array.dtype}, expected integers")
@@ -44,34 +44,34 @@ def face_array(faces: ArrayLike) -> NDArray[Any]:
     if array.dtype in INDICES:
         return aligned(array)
     if array.dtype.kind == "u" and array.dtype.itemsize == 8:
-        # What is too great stays so.
+        # Indices that are out of range stay out of range.
         array = np.minimum(array, np.iinfo(np.int64).max)
     return array.astype(np.int64)
 
 
 def rows(array: ArrayLike, name: str, dtype: str, width: int = 3) -> NDArray[Any]:
-    """An array of shape (n, width); of one row, if it has shape (width,)."""
+    """Returns an array of shape (n, width). Shape (width,) becomes a single row."""
     array = numbers(array, name, dtype)
     if array.shape == (width,):
         array = array[np.newaxis]
     check_shape(array, name, width, "n")
-    # A view, whose shape stays as it is whatever happens to that of the array.
+    # The shape of a view does not change with the shape of the array.
     return array.view(np.ndarray)
 
 
 def rays(origins: ArrayLike, directions: ArrayLike, tmin: ArrayLike, tmax: ArrayLike, dtype: str) -> list[NDArray[Any]]:
-    """Four arrays of as many rows. One origin serves all directions, and one direction all origins."""
+    """Returns four arrays with equal numbers of rows. A single origin or direction is repeated."""
     starts, ways = rows(origins, "origins", dtype), rows(directions, "directions", dtype)
     if len(starts) != len(ways) and 1 not in (len(starts), len(ways)):
         raise ValueError(f"{len(starts)} origins and {len(ways)} directions, expected as many of both")
     count = len(ways) if len(starts) == 1 else len(starts)
-    # Rows that are the same for all are not copied.
+    # Repeated rows are not copied.
     starts, ways = np.broadcast_to(starts, (count, 3)), np.broadcast_to(ways, (count, 3))
     return [starts, ways, per_row(tmin, "tmin", dtype, count), per_row(tmax, "tmax", dtype, count)]
 
 
 def per_row(array: ArrayLike, name: str, dtype: str, count: int) -> NDArray[Any]:
-    """A number for each of `count` rows, or one for all."""
+    """Returns a number for each of `count` rows. A single number is repeated."""
     array = numbers(array, name, dtype)
     if array.shape not in ((), (1,), (count,)):
         raise ValueError(f"{name}: shape {array.shape}, expected a number or shape ({count},)")
@@ -79,7 +79,7 @@ def per_row(array: ArrayLike, name: str, dtype: str, count: int) -> NDArray[Any]
 
 
 def numbers(array: ArrayLike, name: str, dtype: str) -> NDArray[Any]:
-    """An array of the dtype of a scene. Nothing is rounded, but for lists and single numbers, which have no dtype."""
+    """Returns an array of the dtype of a scene. Only lists and single numbers, which have no dtype, are rounded."""
     array = array_of(array, name, dtype)
     if array.dtype == dtype:
         return aligned(array)
@@ -92,12 +92,12 @@ def numbers(array: ArrayLike, name: str, dtype: str) -> NDArray[Any]:
 
 
 def aligned(array: NDArray[Any]) -> NDArray[Any]:
-    """The array, copied if its numbers do not lie where numbers of their size lie, as in packed records."""
+    """Returns the array, copied if it is unaligned, as in packed records."""
     return array if array.flags.aligned else array.copy()
 
 
 def array_of(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:
-    """An array as it is; lists and numbers as one of a dtype."""
+    """Returns an array unchanged, and lists and numbers as an array of a dtype."""
     if isinstance(values, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in values):
         values = np.ma.asarray(values, dtype=dtype)
     if isinstance(values, np.ndarray):
@@ -109,7 +109,7 @@ def array_of(values: ArrayLike, name: str, dtype: Any) -> NDArray[Any]:
 
 
 def unmasked(array: NDArray[Any], name: str) -> NDArray[Any]:
-    """The array without its mask, which must not mask anything: what is masked would be read as other numbers are."""
+    """Returns the array without its mask. Refuses masked numbers, which would be read like other numbers."""
     if not isinstance(array, np.ma.MaskedArray):
         return array
     masked = np.argwhere(np.ma.getmaskarray(array))
@@ -120,6 +120,6 @@ def unmasked(array: NDArray[Any], name: str) -> NDArray[Any]:
 
 
 def check_shape(array: NDArray[Any], name: str, width: int, count: str) -> None:
-    """Refuses what has not shape (n, width)."""
+    """Refuses shapes other than (n, width)."""
     if array.ndim != 2 or array.shape[1] != width:
         raise ValueError(f"{name}: shape {array.shape}, expected ({count}, {width})")

@@ -1,4 +1,4 @@
-"""Rays that begin or end at exact points."""
+"""Rays that start or end at exact points."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ Progress = Callable[[int, int], object]
 
 
 class ExactRays:
-    """Rays over a scene whose ends are exact points: hits, which are not rounded, or points of floats.
+    """Rays over a scene whose ends are exact points: unrounded hits, or points of floats.
 
-    `Scene.segments`, `Hits.continue_with` and `Hits.toward` make them. They keep the mesh as it is now, even if the
-    scene is refitted. A row without a ray, which follows a miss, misses.
+    `Scene.segments`, `Hits.continue_with` and `Hits.toward` create them. They keep the current mesh, even if the scene
+    is refitted later. A row after a miss has no ray, and misses.
     """
 
     def __init__(self, native: _native.ExactRays) -> None:
@@ -34,11 +34,11 @@ class ExactRays:
         return np.dtype(self._native.dtype)
 
     def closest(self, progress: Progress | None = None) -> Hits:
-        """Returns the closest hit of each ray, as `Scene.closest` does. Its exact points can be continued from."""
+        """Returns the closest hit of each ray, like `Scene.closest`. Rays can continue from its exact points."""
         return Hits(*self._native.closest(progress), _rays=self._native)
 
     def any(self, progress: Progress | None = None) -> NDArray[np.bool_]:
-        """Returns whether each ray hits anything: shape (n,)."""
+        """Returns whether each ray hits a face: shape (n,)."""
         return self._native.any(progress)
 
 
@@ -48,24 +48,24 @@ class Segments:
     _native: _native.Scene
 
     def segments(self, a: ArrayLike, b: ArrayLike, closed: bool = True) -> ExactRays:
-        """Returns rays from `a` to `b`, whose ends are these points exactly: ``t`` is 0 at `a` and 1 at `b`.
+        """Returns rays that start exactly at `a` and end exactly at `b`: ``t`` is 0 at `a` and 1 at `b`.
 
-        The direction ``b - a`` is not rounded, as it would be for `closest`.
+        The direction ``b - a`` is not rounded, unlike a direction for `closest`.
 
         Parameters
         ----------
         a, b
             Shape (n, 3) or (3,).
         closed
-            Whether the ends belong to the segments. If not, faces that contain an end are not hit there: `any` then
-            says whether anything blocks the view from a point on the mesh to another one.
+            Whether the ends belong to the segments. If not, faces are not hit at the ends. `any` then returns whether a
+            face blocks the view between two points on the mesh.
 
         Raises
         ------
         TypeError
             An array has another dtype than the scene.
         ValueError
-            Shapes do not fit, a number is not finite, or both ends are one point.
+            Shapes do not fit, a number is not finite, or two ends are equal.
 
         Examples
         --------
@@ -113,9 +113,9 @@ class Hits:
         Parameters
         ----------
         directions
-            Shape (n, 3) or (3,). Rows of misses are not used, but must be directions.
+            Shape (n, 3) or (3,). Rows of misses are unused, but must be valid directions.
         tmax
-            The greatest distance, in lengths of the direction: a number or shape (n,).
+            The maximum distance, in lengths of the direction: a number or shape (n,).
         closed
             Whether the ends belong to the rays. If not, a ray does not hit the face that it leaves, nor any other face
             that contains its origin.
@@ -123,8 +123,8 @@ class Hits:
         Raises
         ------
         ValueError
-            Shapes do not fit, a number is not finite, a direction is zero, or the arrays of the rays have changed. Hits
-            that were unpickled, and hits of `Instances`, have no rays.
+            Shapes do not fit, a number is not finite, a direction is zero, or the arrays of the rays have changed.
+            Unpickled hits, and hits of `Instances`, have no rays.
 
         Examples
         --------
@@ -142,19 +142,19 @@ class Hits:
         return ExactRays(native.along(self.primitive, ways, tmax, closed))
 
     def toward(self, points: ArrayLike, closed: bool = False) -> ExactRays:
-        """Returns rays from the exact points of the hits to given points, where ``t`` is 1: whether these are seen.
+        """Returns rays from the exact points of the hits to given points, for visibility. ``t`` is 1 at these points.
 
         Parameters
         ----------
         points
             Shape (n, 3) or (3,).
         closed
-            Whether both ends belong to the rays.
+            Whether the ends belong to the rays.
 
         Raises
         ------
         ValueError
-            As `continue_with`; or a point is that of the hit.
+            See `continue_with`; also if a point equals the hit.
 
         Examples
         --------
@@ -174,5 +174,5 @@ class Hits:
         return self._rays() if callable(self._rays) else self._rays
 
     def __getstate__(self) -> dict[str, Any]:
-        # Rays are exact points of a scene that is elsewhere.
+        # The exact points of the rays belong to a scene that is not pickled.
         return {**self.__dict__, "_rays": None}

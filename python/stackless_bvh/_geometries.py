@@ -1,4 +1,4 @@
-"""Several meshes in one scene, and queries of arrays of any shape: what is below `RaycastingScene`."""
+"""Several meshes in one scene, and queries of arrays of any shape, for `RaycastingScene`."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 from ._arrays import numbers
 from ._scene import Scene
 
-# So many normals are computed at a time, which bounds the memory.
+# Number of normals computed at a time, which bounds the memory.
 _BLOCK = 65536
 
 Mesh = tuple[NDArray[Any], NDArray[Any]]
 
 
 class Answer(np.ndarray[Any, Any]):
-    """A NumPy array with the method of a tensor that scripts call."""
+    """A NumPy array with the method `numpy` of tensors."""
 
     def numpy(self) -> NDArray[Any]:
         """Returns the plain NumPy array, which shares the memory."""
@@ -28,7 +28,7 @@ class Answer(np.ndarray[Any, Any]):
 
 
 class Geometries:
-    """The scene of all triangles of several meshes, in their order."""
+    """The scene of all triangles of several meshes, in the order of the meshes."""
 
     def __init__(self, meshes: Sequence[Mesh]) -> None:
         counts = [len(faces) for _, faces in meshes]
@@ -43,13 +43,13 @@ class Geometries:
         self.scene = Scene(self._vertices, self._faces)
 
     def ids(self, primitives: NDArray[np.int64]) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Returns the geometry of each triangle of the scene, and its number there; for -1 the greatest uint32."""
+        """Returns the geometry of each triangle of the scene, and its number there; the maximum uint32 for -1."""
         geometry = np.searchsorted(self._starts, primitives, side="right") - 1
         within = np.where(primitives < 0, -1, primitives - self._starts[geometry])
         return geometry.astype(np.uint32), within.astype(np.uint32)
 
     def rule(self) -> Literal["parity", "winding"]:
-        """Returns the rule of what is inside, and warns where it is a guess."""
+        """Returns the rule that defines the inside, and warns if it is a guess."""
         if self.scene.is_closed:
             return "parity"
         if not self.empty:
@@ -58,7 +58,7 @@ class Geometries:
 
     @cached_property
     def normals(self) -> NDArray[Any]:
-        """The normals of all triangles, of length 1; the last row, that of misses, is zero."""
+        """The normals of all triangles, of length 1. The last row, for misses, is zero."""
         normals = np.zeros((len(self._faces) + 1, 3), dtype=self._vertices.dtype)
         for start in range(0, len(self._faces), _BLOCK):
             faces = self._faces[start : start + _BLOCK]
@@ -73,10 +73,10 @@ class Geometries:
 
 
 class Asked:
-    """Rows of numbers that ask a scene, of any leading shape.
+    """Queries of a scene as rows of numbers, of any leading shape.
 
-    `rows` has shape (n, width). `real` is False for those that miss whatever there is: rays without a direction, and
-    all rows if the scene is empty.
+    `rows` has shape (n, width). `real` is False for rows that always miss: rays without a direction, and all rows if
+    the scene is empty.
     """
 
     def __init__(self, geometries: Geometries, values: Any, name: str, width: int) -> None:
@@ -88,7 +88,7 @@ class Asked:
         self.real = np.full(len(self.rows), not geometries.empty)
 
     def rays(self) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Returns origins and directions, with a direction for those that have none."""
+        """Returns origins and directions. Zero directions are replaced."""
         origins, directions = self.rows[:, :3], self.rows[:, 3:]
         moving = (directions != 0).any(axis=1)
         if not moving.all():
@@ -97,12 +97,12 @@ class Asked:
         return origins, directions
 
     def answer(self, values: NDArray[Any], missing: Any) -> Answer:
-        """Returns the values of all rows in their shape, with `missing` for those that are not real."""
+        """Returns the values of all rows in the leading shape, with `missing` for rows that are not real."""
         if not self.real.all():
             values[~self.real] = missing
         return values.reshape(self.shape + values.shape[1:]).view(Answer)
 
 
 def plain(values: Any) -> Any:
-    """Returns the NumPy array of a tensor; other values as they are."""
+    """Returns the NumPy array of a tensor, and other values unchanged."""
     return values.numpy() if hasattr(values, "numpy") else values

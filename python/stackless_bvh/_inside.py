@@ -1,4 +1,4 @@
-"""Inside and outside: whether a mesh is closed, and where points are."""
+"""Inside and outside: whether a mesh is closed, and the location of points."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Progress = Callable[[int, int], object]
 
 
 class Inside:
-    """The part of a `Scene` that is about inside and outside."""
+    """The queries of a `Scene` about inside and outside."""
 
     __slots__ = ()
 
@@ -26,16 +26,16 @@ class Inside:
     def is_closed(self) -> bool:
         """Whether every point of every edge is covered an even number of times, so that the mesh has an inside.
 
-        This is exact. Vertices of equal coordinates are one, and a vertex may lie in the middle of a neighbour's edge
-        (a T-junction). How faces are oriented does not matter.
+        The answer is exact. Vertices with equal coordinates count as one, and a vertex may be in the middle of a
+        neighbour's edge (a T-junction). The orientation of faces does not matter.
         """
         return self._native.boundary()[0] == 0
 
     @property
     def is_oriented(self) -> bool:
-        """Whether every point of every edge is run through as often in one direction as in the other.
+        """Whether the faces run through every point of every edge equally often in each direction.
 
-        Such a mesh is closed too, and its winding numbers are integers.
+        Such a mesh is also closed, and its winding numbers are integers.
         """
         return self._native.boundary()[1] == 0
 
@@ -46,25 +46,25 @@ class Inside:
         progress: Progress | None = None,
         rule: Literal["parity", "nonzero", "winding"] = "parity",
     ) -> NDArray[np.bool_]:
-        """Whether each point is inside of the mesh: shape (n,). Only with ``rule="winding"`` it may be open.
+        """Returns whether each point is inside the mesh: shape (n,). Only with ``rule="winding"`` the mesh may be open.
 
         Parameters
         ----------
         points
             Shape (n, 3).
         boundary
-            What is answered for points that are exactly on a face that has an area.
+            The answer for points that are exactly on a face with area.
         rule
-            ``"parity"``: a point is inside where a ray crosses the mesh an odd number of times, whatever the
-            orientation of faces. Parts that overlap cancel out. The mesh must be closed. ``"nonzero"``: a point is
-            inside where the winding number is not 0. Parts that overlap unite. The mesh must be closed and oriented.
-            ``"winding"``: a point is inside where the winding number is above 1/2, whatever the mesh. Where it has
-            holes, this is a good guess.
+            ``"parity"``: a point is inside if a ray from it crosses the mesh an odd number of times. The orientation of
+            faces does not matter. Overlapping parts cancel out. The mesh must be closed. ``"nonzero"``: a point
+            is inside if its winding number is not 0. Overlapping parts unite. The mesh must be closed and oriented.
+            ``"winding"``: a point is inside if its winding number is above 1/2. Any mesh is allowed. Near holes this is
+            a good guess.
 
         Warns
         -----
         UserWarning
-            Faces repeat earlier ones, which cancel out by parity.
+            Repeated faces cancel out by parity.
 
         Raises
         ------
@@ -91,26 +91,26 @@ class Inside:
         rule: Literal["parity", "nonzero", "winding"] = "parity",
         progress: Progress | None = None,
     ) -> NDArray[np.floating]:
-        """How far each point is from the mesh, negative inside: shape (n,), of the scene's dtype.
+        """Returns the distance of each point from the mesh, negative inside: shape (n,), of the scene's dtype.
 
-        Each is the float nearest to the exact distance, with the exact sign of the rule, and 0 on the mesh.
+        Each distance is the float nearest to the exact distance, with the exact sign of the rule, and 0 on the mesh.
 
         Parameters
         ----------
         points
             Shape (n, 3).
         rule
-            What is inside, as in `contains`.
+            The rule of `contains`.
 
         Warns
         -----
         UserWarning
-            As `contains`.
+            See `contains`.
 
         Raises
         ------
         TypeError, ValueError
-            As `contains`.
+            See `contains`.
 
         Examples
         --------
@@ -124,7 +124,7 @@ class Inside:
         return self._native.signed_distances(points, rule, progress)
 
     def _check_rule(self, rule: str) -> None:
-        """Raises where a rule does not fit the mesh, and warns where its answer may not be what is expected."""
+        """Raises if a rule does not fit the mesh, and warns if its answers may be unexpected."""
         count, unpaired, repeated, wrong = self._native.boundary()
         if rule in ("parity", "nonzero") and wrong is not None:
             more = "" if count == 1 else f" ({count} such edges)"
@@ -143,20 +143,19 @@ class Inside:
     def winding_number(
         self, points: ArrayLike, progress: Progress | None = None, *, tolerance: float = 1e-6
     ) -> NDArray[np.float64]:
-        """How often the mesh winds around each point: shape (n,), float64.
+        """Returns the winding number of the mesh around each point: shape (n,), float64.
 
-        It is 1 inside of a closed surface whose faces are seen counterclockwise from outside, 2 where two of them
-        overlap, -1 inside of one that is turned, and 0 outside. A hole changes it by the part of the view that the hole
-        takes up. Closed and oriented meshes have exact integers. The numbers of other meshes are right within
-        `tolerance`, unless a point is on an open edge. Of a point that is exactly on a face, it is the number of one of
-        its sides.
+        It is 1 inside a closed surface whose faces are counterclockwise seen from outside, 2 where two such surfaces
+        overlap, -1 inside a reversed surface, and 0 outside. A hole changes it by the fraction of the view that the
+        hole occupies. Numbers of closed and oriented meshes are exact integers. Numbers of other meshes have errors up
+        to `tolerance`, unless a point is on an open edge. A point exactly on a face has the number of one of the sides.
 
         Parameters
         ----------
         points
             Shape (n, 3).
         tolerance
-            The greatest error; below 1e-9 it is 1e-9. The smaller it is, the longer the numbers of open meshes take.
+            The maximum error, at least 1e-9. For open meshes, smaller errors take longer.
 
         Raises
         ------

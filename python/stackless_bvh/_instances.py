@@ -1,4 +1,4 @@
-"""Scenes that are placed many times."""
+"""Scenes with many placements."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class InstanceHits(Hits):
     """The closest hit of each of n rays among instances."""
 
     path: NDArray[np.int64]
-    """Shape (n, levels): rows of `objects`, those of the outermost instances first; then -1, as for a miss."""
+    """Shape (n, levels): rows of `objects`, the outermost instances first; -1 for unused levels and for misses."""
 
     @property
     def instance(self) -> NDArray[np.int64]:
@@ -30,28 +30,28 @@ class InstanceHits(Hits):
 
 
 class Instances:
-    """Float32 scenes, and instances in turn, that are placed by affine maps, each as often as need be. Answers are
-    those of rational arithmetic on the exact images of the triangles.
+    """Float32 scenes and nested instances, placed any number of times by affine maps. Answers equal those of rational
+    arithmetic on the exact images of the triangles.
 
     Parameters
     ----------
     scenes
-        What is placed: each a `Scene`, or an `Instances`, which may be nested 31 deep. What `refit` does to a scene
-        later does not change the instances.
+        The placed objects: each a `Scene` or an `Instances`, nested up to 31 deep. A later `refit` of a scene does not
+        change the instances.
     objects
-        Shape (n,), integers: which of `scenes` each instance is.
+        Shape (n,), integers: the index in `scenes` of each instance.
     transforms
         Shape (n, 3, 4) or (n, 4, 4), float32: the map from the scene's space to the world's. A fourth row must be
         [0, 0, 0, 1].
     progress
-        Is called as ``progress(done, count)`` now and then, with numbers of faces, while this is built.
+        Called periodically during the build as ``progress(done, count)``, with numbers of faces.
 
     Raises
     ------
     TypeError
-        An array has another dtype, or one of `scenes` is something else.
+        An array has another dtype, or an item of `scenes` has another type.
     ValueError
-        A scene is float64, instances are nested too deeply, shapes do not fit, there is no such scene, a map has no
+        A scene is float64, instances are nested too deeply, shapes do not fit, an index is out of range, a map has no
         inverse, or an image leaves the range of float32; the message names the row.
 
     Examples
@@ -102,7 +102,7 @@ class Instances:
         return len(self._native)
 
     def __copy__(self) -> Instances:
-        # Nothing changes instances.
+        # Instances are immutable.
         return self
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Instances:
@@ -116,7 +116,7 @@ class Instances:
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> InstanceHits:
-        """The closest hit of each ray: the least exact distance, of equal ones the least path, of these the least face.
+        """Returns the closest hit of each ray: the least exact distance, then the least path, then the least face.
 
         Parameters and errors are those of `Scene.closest`, for float32.
         """
@@ -131,5 +131,5 @@ class Instances:
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
-        """Whether each ray hits anything: shape (n,). Parameters and errors are those of `closest`."""
+        """Returns whether each ray hits a face: shape (n,). Parameters and errors are those of `closest`."""
         return self._native.any(rays(origins, directions, tmin, tmax, "float32"), progress)

@@ -1,4 +1,4 @@
-"""Rays of a pinhole camera, as Open3D makes them."""
+"""Rays of a pinhole camera, like those of Open3D."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ def of_matrices(intrinsic_matrix: Any, extrinsic_matrix: Any, width_px: int, hei
 
 
 def looking_at(fov_deg: float, center: Any, eye: Any, up: Any, width_px: int, height_px: int) -> NDArray[np.float32]:
-    """Returns the rays of a camera at `eye` that looks at `center`; the field of view is that of the width."""
+    """Returns the rays of a camera at `eye` that looks at `center`. The field of view spans the width."""
     start, upward = _array(eye, "eye", (3,)), _array(up, "up", (3,))
     forward = _array(center, "center", (3,)) - start
     right = np.cross(upward, forward)
     if not right.any():
-        raise ValueError(f"up: {upward.tolist()}, expected another direction than that from eye to center")
+        raise ValueError(f"up: {upward.tolist()}, expected another direction than from eye to center")
     axes = np.stack([right, np.cross(forward, right), forward], axis=1)
     focal = 0.5 * width_px / np.tan(0.5 * np.deg2rad(fov_deg))
     intrinsic = np.array([[focal, 0, 0.5 * width_px], [0, focal, 0.5 * height_px], [0, 0, 1]])

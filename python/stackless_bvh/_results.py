@@ -1,4 +1,4 @@
-"""What queries answer: arrays, one row for each ray or point."""
+"""Results of queries: arrays with a row for each ray or point."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True)
 class AllHits:
-    """All hits of n rays, by distance and then by face: those of ray i are rows offsets[i] to offsets[i + 1]."""
+    """All hits of n rays, by distance, then by face. The hits of ray i are rows offsets[i] to offsets[i + 1]."""
 
     offsets: NDArray[np.int64]
     """Shape (n + 1,), from 0 to the number m of hits."""
     primitives: NDArray[np.int64]
-    """Shape (m,): rows of `faces`. Each face is there once for a ray."""
+    """Shape (m,): rows of `faces`. Each face occurs once for a ray."""
     t: NDArray[np.floating]
     """Shape (m,): distances."""
     uv: NDArray[np.floating]
     """Shape (m, 2): weights of the face's second and third vertex."""
     place: NDArray[np.uint8]
-    """Shape (m,): where the face is hit, exactly: 0 in its interior, 1 on an edge, 2 at a vertex."""
+    """Shape (m,): the exact place of the hit on the face: 0 in its interior, 1 on an edge, 2 at a vertex."""
 
     @property
     def rays(self) -> NDArray[np.int64]:
@@ -34,23 +34,23 @@ class AllHits:
 
 @dataclass(frozen=True)
 class Near:
-    """What is nearest to each of n points: arrays of n rows, with an axis of length k after the first where k > 1.
-    Numbers are of the scene's dtype."""
+    """The nearest faces of n points: arrays of n rows, with a second axis of length k if k > 1. Numbers have the
+    scene's dtype."""
 
     distance: NDArray[np.floating]
-    """Shape (n,) or (n, k): the floats nearest to the exact distances; infinite where nothing is within the radius."""
+    """Shape (n,) or (n, k): the floats nearest to the exact distances; infinite if no face is within the radius."""
     primitive: NDArray[np.int64]
-    """Shape (n,) or (n, k): rows of `faces`; -1 where nothing is within the radius."""
+    """Shape (n,) or (n, k): rows of `faces`; -1 if no face is within the radius."""
     point: NDArray[np.floating]
-    """Shape (n, 3) or (n, k, 3): the nearest points, each coordinate rounded once; NaN where there is none."""
+    """Shape (n, 3) or (n, k, 3): the nearest points, each coordinate rounded once; NaN without a face."""
     uv: NDArray[np.floating] | None = None
     """With ``details``. Shape (n, 2) or (n, k, 2): weights of the face's second and third vertex, each rounded once."""
     place: NDArray[np.uint8] | None = None
-    """With ``details``. Shape (n,) or (n, k): on which part of the face the nearest point is, exactly: 0 in its
-    interior, 1 on an edge, 2 at a vertex, 255 where there is none."""
+    """With ``details``. Shape (n,) or (n, k): the exact place of the nearest point on the face: 0 in its
+    interior, 1 on an edge, 2 at a vertex, 255 without a face."""
     normal: NDArray[np.floating] | None = None
-    """With ``details``. Shape (n, 3) or (n, k, 3): normals of the faces, of length 1, each component rounded once; they
-    point to where vertices run counterclockwise. NaN for a face without area."""
+    """With ``details``. Shape (n, 3) or (n, k, 3): normals of the faces, of length 1, each component rounded once. Seen
+    from the tip of a normal, vertices are counterclockwise. NaN for a face without area."""
 
     def __len__(self) -> int:
         return len(self.distance)

@@ -1,4 +1,4 @@
-"""A mesh that rays and points ask."""
+"""A mesh with queries of rays and points."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ class Scene(Inside, Segments):
     Parameters
     ----------
     vertices
-        Shape (n, 3), float32 or float64, of any strides. The dtype is that of the scene: its rays, points and answers
-        have it too. Lists become float64.
+        Shape (n, 3), float32 or float64, of any strides. The rays, points and answers of the scene have this dtype.
+        Lists become float64.
     faces
         Shape (m, 3), integers: three rows of `vertices` for each triangle. Faces without an area are allowed, and no
         ray hits them.
     build
-        How the hierarchy is built: "standard", "fast" (the fastest build), "best" (the fastest rays), "sbvh", "bounded"
+        Builder of the hierarchy: "standard", "fast" (the fastest build), "best" (the fastest rays), "sbvh", "bounded"
         or "median". Answers do not depend on it.
     progress
-        Is called as ``progress(done, count)`` now and then, with numbers of faces, while the hierarchy is built.
+        Called periodically during the build as ``progress(done, count)``, with numbers of faces.
 
     Warns
     -----
@@ -48,17 +48,17 @@ class Scene(Inside, Segments):
     ValueError
         An array has another shape, a coordinate is not finite, or an index is out of range; the message names the row.
     MemoryError
-        There is no memory to build it.
+        There is not enough memory for the build.
     RuntimeError
-        This thread does not compute as IEEE 754 demands, as after loading a library compiled with ``-ffast-math``.
+        This thread violates IEEE 754, for example after loading a library compiled with ``-ffast-math``.
 
-    Building runs on all threads with the interpreter's lock released, and Ctrl-C ends it. So do all methods that answer
-    many rays or points: they look for Ctrl-C, and call ``progress(done, count)`` if it is given, after every 65,536 of
-    them. Float32 arrays are accepted by float64 scenes, which is exact. Float64 arrays are refused by float32 scenes:
-    rounding is the caller's decision.
+    The build runs on all threads with the interpreter's lock released, and Ctrl-C ends it. This also applies to all
+    methods that answer many rays or points: after every 65,536 of them, they check for Ctrl-C and call
+    ``progress(done, count)`` if it is given. Float64 scenes accept float32 arrays, which is exact. Float32 scenes
+    refuse float64 arrays: rounding is the caller's decision.
 
-    A scene can be pickled, and so be sent to other processes: to those of `multiprocessing`, whether they are forked or
-    spawned, and to workers of Dask. Copies share their memory until one is refitted.
+    A scene can be pickled and sent to other processes: to forked or spawned processes of `multiprocessing`, and to
+    workers of Dask. Copies share their memory until one copy is refitted.
     """
 
     __slots__ = ("_native",)
@@ -89,7 +89,7 @@ class Scene(Inside, Segments):
         return f"<stackless_bvh.Scene: {len(self.faces)} faces, {self.dtype}>"
 
     def __copy__(self) -> Scene:
-        """A scene of its own: what one of both refits does not change the other."""
+        """Returns an independent scene: a refit of one scene does not change the other."""
         copy = self.__class__.__new__(self.__class__)
         copy._native = self._native.copy()
         return copy
@@ -110,12 +110,12 @@ class Scene(Inside, Segments):
 
     @property
     def vertices(self) -> NDArray[Any]:
-        """Shape (n, 3): a copy."""
+        """A copy, of shape (n, 3)."""
         return self._native.vertices
 
     @property
     def faces(self) -> NDArray[np.int64]:
-        """Shape (m, 3): a copy."""
+        """A copy, of shape (m, 3)."""
         return self._native.faces
 
     @property
@@ -131,16 +131,17 @@ class Scene(Inside, Segments):
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> Hits:
-        """The closest hit of each ray ``origin + t * direction`` with ``tmin <= t <= tmax``.
+        """Returns the closest hit of each ray ``origin + t * direction`` with ``tmin <= t <= tmax``.
 
-        Closest is the least exact distance, and of equal ones the least face. `t` is the distance, rounded once. Edges
-        and vertices belong to their faces, and both sides are hit. A face that the ray sees edge-on is missed.
+        The closest hit has the least exact distance, and of equal distances the least face. `t` is this distance,
+        rounded once. Edges and vertices belong to their faces, and rays hit faces from each side. A ray in the plane of
+        a face misses the face.
 
         Parameters
         ----------
         origins, directions
-            Shape (n, 3); one of them may have one row or shape (3,), which then serves all rays. Directions need not
-            have length 1.
+            Shape (n, 3). One array may have a single row or shape (3,), for all rays. Directions need not have
+            length 1.
         tmin, tmax
             Numbers, or arrays of shape (n,). Both ends belong to the ray.
 
@@ -169,7 +170,7 @@ class Scene(Inside, Segments):
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
-        """Whether each ray hits anything: shape (n,). Parameters and errors are those of `closest`.
+        """Returns whether each ray hits a face: shape (n,). Parameters and errors are those of `closest`.
 
         Examples
         --------
@@ -187,9 +188,9 @@ class Scene(Inside, Segments):
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> AllHits:
-        """All hits of each ray: every face that it meets, once. Parameters and errors are those of `closest`.
+        """Returns all hits of each ray, each face once. Parameters and errors are those of `closest`.
 
-        A ray through an edge meets the faces on both sides of it; `AllHits.place` tells such hits from others.
+        A ray through an edge hits the faces on each side of the edge; `AllHits.place` marks such hits.
 
         Examples
         --------
@@ -210,10 +211,10 @@ class Scene(Inside, Segments):
         tmax: ArrayLike = np.inf,
         progress: Progress | None = None,
     ) -> NDArray[np.int64]:
-        """How often each ray crosses the mesh: shape (n,). Parameters and errors are those of `closest`.
+        """Returns how often each ray crosses the mesh: shape (n,). Parameters and errors are those of `closest`.
 
-        A crossing at an edge or a vertex of a closed mesh counts once, and touching it there counts an even number of
-        times (the half-open rule). From inside of a closed mesh the number is odd, from outside it is even.
+        A crossing at an edge or a vertex of a closed mesh counts once, and touching an edge or a vertex counts an even
+        number of times (the half-open rule). From inside a closed mesh the number is odd, from outside it is even.
 
         Examples
         --------
@@ -232,7 +233,7 @@ class Scene(Inside, Segments):
         progress: Progress | None = None,
         details: bool = False,
     ) -> Near:
-        """The `k` faces that are nearest to each point, within a radius, in order of distance and then of face.
+        """Returns the `k` faces that are nearest to each point, within a radius, in order of distance, then of face.
 
         Faces without area, which rays miss, are segments and points.
 
@@ -241,20 +242,20 @@ class Scene(Inside, Segments):
         points
             Shape (n, 3).
         radius
-            A number or shape (n,), included.
+            A number or shape (n,). Faces at this distance are included.
         k
-            How many, at least 1. Where there are fewer faces, their rows are filled as those beyond the radius.
+            Number of faces, at least 1. With fewer faces, rows are filled like rows beyond the radius.
         details
-            Also say where on the face each point is (``uv``, ``place``), and which way the face looks (``normal``).
+            Also return the position of each point on its face (``uv``, ``place``), and the ``normal`` of the face.
 
         Raises
         ------
         TypeError
-            An array has another dtype than the scene, or `k` is no integer.
+            An array has another dtype than the scene, or `k` is not an integer.
         ValueError
             The shape does not fit, a number is not finite, a radius is negative, or `k` is less than 1.
         MemoryError
-            There is no memory for arrays of `k` rows for each point.
+            There is not enough memory for arrays of `k` rows for each point.
 
         Examples
         --------
@@ -281,21 +282,21 @@ class Scene(Inside, Segments):
         return Near(distance.reshape(shape), primitive.reshape(shape), point.reshape(*shape, 3), *details_of)
 
     def refit(self, vertices: ArrayLike, optimize: bool = False, progress: Progress | None = None) -> None:
-        """Moves the vertices, of which there must be as many as before. It takes a twentieth of the time of a build.
+        """Moves the vertices. Their number must not change. Takes a twentieth of the time of a build.
 
-        Queries stay exact, and get slower the more the faces move relative to each other. With `optimize` parts of the
-        hierarchy are then moved to better places, which takes a quarter of the time of a build. While another thread
-        asks the scene, this fails with a RuntimeError.
+        Queries stay exact, and become slower the more the faces move relative to each other. `optimize` then moves
+        parts of the hierarchy to better places, in a quarter of the time of a build. While another thread queries the
+        scene, this method fails with a RuntimeError.
 
-        It looks for Ctrl-C, and calls ``progress(done, count)``, after each step: the numbers are checked, the vertices
-        are moved, the hierarchy is optimized. After Ctrl-C the vertices are all the old ones or all the new ones.
+        There are three steps: checking the numbers, moving the vertices, optimizing the hierarchy. After each step the
+        method checks for Ctrl-C and calls ``progress(done, count)``. After Ctrl-C the vertices are all old or all new.
 
         Raises
         ------
         TypeError
             The array has another dtype than the scene.
         ValueError
-            The shape does not fit, or a coordinate is not finite. Then nothing has changed.
+            The shape does not fit, or a coordinate is not finite. The scene is unchanged.
 
         Examples
         --------
@@ -307,10 +308,10 @@ class Scene(Inside, Segments):
         self._native.refit(rows(vertices, "vertices", self._native.dtype), optimize, progress)
 
     def save(self, path: str | os.PathLike[str], progress: Progress | None = None) -> None:
-        """Writes mesh and hierarchy to a file, whole or not at all, also after Ctrl-C.
+        """Writes mesh and hierarchy to a file atomically, also after Ctrl-C.
 
-        A file that is there keeps its permissions, and is not replaced if it is read-only. A link is followed.
-        ``progress(done, count)`` is called now and then, with per cent of the file.
+        An existing file keeps its permissions, and is not replaced if it is read-only. Links are followed.
+        ``progress(done, count)`` is called periodically, with per cent of the file.
 
         Raises
         ------
@@ -328,12 +329,12 @@ class Scene(Inside, Segments):
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], progress: Progress | None = None) -> Scene:
-        """The scene that `save` has written. Ctrl-C and `progress` are as for `save`.
+        """Reads a scene that `save` has written. Ctrl-C and `progress` are as for `save`.
 
         Raises
         ------
         ValueError
-            The file is damaged, or none of these. Everything is checked: a file cannot make answers wrong.
+            The file is damaged, or not a saved scene. All content is checked: a file cannot cause wrong answers.
         OSError
             The file cannot be read, as `open` says it.
         """
@@ -349,22 +350,22 @@ class Scene(Inside, Segments):
         build: str = "standard",
         progress: Progress | None = None,
     ) -> Scene:
-        """A scene of the mesh in a PLY, OBJ, STL or glTF file (.ply, .obj, .stl, .gltf, .glb).
+        """Builds a scene from the mesh in a PLY, OBJ, STL or glTF file (.ply, .obj, .stl, .gltf, .glb).
 
-        Faces are in the order of the file. A polygon of n corners becomes n - 2 of them, within its outline.
+        Faces have the order of the file. A polygon of n corners becomes n - 2 faces within its outline.
         The nodes of a glTF file place its meshes. `build` and `progress` are as for `Scene`.
 
         Warns
         -----
         UserWarning
-            Something of the file was skipped or changed, or float32 rounds its numbers.
+            Parts of the file were skipped or changed, or float32 rounds its numbers.
 
         Raises
         ------
         TypeError
             `dtype` is neither float32 nor float64.
         ValueError
-            The file is no mesh of triangles; the message names the line or the element.
+            The file has no mesh of triangles; the message names the line or the element.
         OSError
             The file cannot be read, as `open` says it.
 

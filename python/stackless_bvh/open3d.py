@@ -1,4 +1,4 @@
-"""A `RaycastingScene` with the methods of `open3d.t.geometry.RaycastingScene`, whose answers are exact.
+"""A `RaycastingScene` with the methods of `open3d.t.geometry.RaycastingScene` and exact answers.
 
 >>> import numpy as np
 >>> from stackless_bvh.open3d import RaycastingScene  # instead of: from open3d.t.geometry import RaycastingScene
@@ -8,8 +8,8 @@
 >>> scene.cast_rays(np.float32([[0.25, 0.5, 2, 0, 0, -1]]))["t_hit"].numpy()
 array([2.], dtype=float32)
 
-Open3D need not be installed. Arguments are NumPy arrays, or have a method `numpy()` as tensors have. Answers are NumPy
-arrays with a method `numpy()`, so that scripts work unchanged.
+Open3D need not be installed. Arguments are NumPy arrays, or objects with a method `numpy()`, such as tensors.
+Answers are NumPy arrays with a method `numpy()`, so that scripts work unchanged.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from ._geometries import Answer, Asked, Geometries, Mesh, plain
 
 
 class RaycastingScene:
-    """Answers rays and points about triangle meshes, each of which is a geometry with an id.
+    """Queries of rays and points over triangle meshes. Each mesh is a geometry with an id.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ class RaycastingScene:
     - Whether a ray hits, and which geometry and triangle it hits first, is exact: no ray slips through an edge. Of
       equal distances the least geometry wins, then the least triangle. Distances and coordinates are rounded once.
     - `count_intersections` counts a crossing at an edge or a vertex once. Open3D may count it twice.
-    - `list_intersections` is in the order of distances. In Open3D the hits of a ray are in any order.
+    - `list_intersections` returns hits in the order of distances. In Open3D the hits of a ray have any order.
     - Insides are exact for closed meshes, for every `nsamples`. Points on a mesh are inside, at distance 0. Meshes that
       are not closed get a guess by their winding number, with a warning. Open3D guesses by `nsamples` rays.
     - A scene without triangles is infinitely far from every point: ids are `INVALID_ID`, points are NaN.

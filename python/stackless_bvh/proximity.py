@@ -1,4 +1,4 @@
-"""Functions of `trimesh.proximity` whose answers are exact.
+"""Functions of `trimesh.proximity` with exact answers.
 
 >>> import trimesh
 >>> from stackless_bvh import proximity  # instead of: from trimesh import proximity
@@ -6,9 +6,9 @@
 >>> proximity.signed_distance(mesh, [[0, 0, 0.25], [0, 0, 2]])
 array([ 0.25, -1.5 ])
 
-They take the arguments of trimesh, and return arrays of the same shapes and dtypes. Distances and points are the exact
-ones, each number rounded once. All queries of a mesh share one scene, also those of `stackless_bvh.trimesh`. The scene
-follows changes of the mesh.
+They take the arguments of trimesh, and return arrays with the shapes and dtypes of trimesh. Distances and points are
+exact, each number rounded once. All queries of a mesh share one scene, including those of `stackless_bvh.trimesh`. The
+scene follows changes of the mesh.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 _Floats = NDArray[np.float64]
 _Indices = NDArray[np.int64]
 
-# So many of the faces that are equally near to a point are compared.
+# Maximum number of compared faces at equal distances.
 _TIED = 8
 
 
@@ -44,7 +44,7 @@ class ProximityQuery:
         self._mesh = mesh
 
     def on_surface(self, points: ArrayLike) -> tuple[_Floats, _Floats, _Indices]:
-        """Returns the nearest points of the mesh, as `closest_point` does."""
+        """Returns the nearest points of the mesh, like `closest_point`."""
         return closest_point(self._mesh, points)
 
     def vertex(self, points: ArrayLike) -> tuple[_Floats, _Indices]:
@@ -56,7 +56,7 @@ class ProximityQuery:
         return distance, vertex
 
     def signed_distance(self, points: ArrayLike) -> _Floats:
-        """Returns the distance of each point, positive inside, as `signed_distance` does."""
+        """Returns the distance of each point, positive inside, like `signed_distance`."""
         return signed_distance(self._mesh, points)
 
 
@@ -102,8 +102,8 @@ def signed_distance(mesh: trimesh.Trimesh, points: ArrayLike) -> _Floats:
     """Returns the distance of each point from the mesh, positive inside and 0 on the mesh: shape (n,).
 
     The sign is exact if every edge is in an even number of faces. Then the orientation of faces does not matter: a
-    point is inside where a ray crosses the mesh an odd number of times. Other meshes have no inside. There the sign is
-    the one that trimesh chooses, by the side of the nearest face or by the hits of two rays, and a warning says so.
+    point is inside if a ray from it crosses the mesh an odd number of times. Other meshes have no inside. Then the sign
+    is chosen like in trimesh, by the side of the nearest face or by the hits of two rays, with a warning.
 
     Parameters and errors are those of `closest_point`.
     """
@@ -117,7 +117,7 @@ def signed_distance(mesh: trimesh.Trimesh, points: ArrayLike) -> _Floats:
 
 
 def longest_ray(mesh: trimesh.Trimesh, points: ArrayLike, directions: ArrayLike) -> _Floats:
-    """Returns how far the mesh is from each point in a direction: shape (n,), infinite without a hit.
+    """Returns the distance of the mesh from each point in a direction: shape (n,), infinite without a hit.
 
     Hits that are nearer than `trimesh.tol.planar` are skipped, as in trimesh: points on a face rarely are on it
     exactly.

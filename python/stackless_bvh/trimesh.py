@@ -1,4 +1,4 @@
-"""A ray intersector for trimesh whose answers are exact.
+"""A ray intersector for trimesh with exact answers.
 
 >>> import trimesh
 >>> from stackless_bvh.trimesh import RayMeshIntersector
@@ -10,7 +10,7 @@ array([ True])
 array([ True, False])
 
 It has the methods of `trimesh.ray.ray_triangle.RayMeshIntersector` and `trimesh.ray.ray_pyembree.RayMeshIntersector`,
-with the same arguments and the same kinds of answers, in float64 as trimesh itself.
+with equal arguments and kinds of answers, in float64 like trimesh.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ _Indices = NDArray[np.int64]
 
 
 class RayMeshIntersector:
-    """Answers the ray queries of a `trimesh.Trimesh` by an exact `Scene`, which is made when it is first needed, and
-    anew when the mesh has changed.
+    """Ray queries of a `trimesh.Trimesh` over an exact `Scene`, which is built on first use, and again after changes of
+    the mesh.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ class RayMeshIntersector:
 
     @property
     def scene(self) -> Scene | None:
-        """The scene over the mesh as it is now; None for a mesh without faces."""
+        """The scene over the current mesh; None for a mesh without faces."""
         return scene_of(self.mesh)
 
     def intersects_id(
@@ -60,10 +60,10 @@ class RayMeshIntersector:
         max_hits: int | None = None,
         return_locations: bool = False,
     ) -> tuple[_Indices, _Indices] | tuple[_Indices, _Indices, NDArray[np.float64]]:
-        """The faces that rays hit, in the order of rays and then of distance.
+        """Returns the faces that rays hit, in the order of rays, then of distance.
 
-        Where a ray meets an edge or a vertex, it hits all faces there. With `return_locations`, each location of a ray
-        is there once, with the first of its faces.
+        At an edge or a vertex, a ray hits all adjacent faces. With `return_locations`, each location of a ray occurs
+        once, with its first face.
 
         Parameters
         ----------
@@ -72,9 +72,9 @@ class RayMeshIntersector:
         multiple_hits
             All hits, or the first one of each ray.
         max_hits
-            At most so many hits of each ray, the nearest ones.
+            Maximum number of hits of each ray; the nearest hits are kept.
         return_locations
-            Whether to return where the hits are.
+            Whether to return the locations of the hits.
 
         Returns
         -------
@@ -102,7 +102,7 @@ class RayMeshIntersector:
         multiple_hits: bool = True,
         max_hits: int | None = None,
     ) -> tuple[NDArray[np.float64], _Indices, _Indices]:
-        """Where rays hit the mesh, each location of a ray once: `(locations, index_ray, index_tri)`.
+        """Returns the locations where rays hit the mesh, each once: `(locations, index_ray, index_tri)`.
 
         Parameters and errors are those of `intersects_id`.
         """
@@ -110,7 +110,7 @@ class RayMeshIntersector:
         return locations, index_ray, index_tri
 
     def intersects_first(self, ray_origins: ArrayLike, ray_directions: ArrayLike) -> _Indices:
-        """The first face that each ray hits, of equally near ones the least; -1 for a miss: shape (n,)."""
+        """Returns the first face that each ray hits, of equally near faces the least; -1 for a miss: shape (n,)."""
         origins, directions, rows = _rays(ray_origins, ray_directions)
         found = np.full(len(origins), -1, dtype=np.int64)
         if (scene := self.scene) is not None:
@@ -118,7 +118,7 @@ class RayMeshIntersector:
         return found
 
     def intersects_any(self, ray_origins: ArrayLike, ray_directions: ArrayLike) -> NDArray[np.bool_]:
-        """Whether each ray hits the mesh: shape (n,)."""
+        """Returns whether each ray hits the mesh: shape (n,)."""
         origins, directions, rows = _rays(ray_origins, ray_directions)
         found = np.zeros(len(origins), dtype=bool)
         if (scene := self.scene) is not None:
@@ -126,10 +126,10 @@ class RayMeshIntersector:
         return found
 
     def contains_points(self, points: ArrayLike) -> NDArray[np.bool_]:
-        """Whether each point is inside of the mesh or on it: shape (n,).
+        """Returns whether each point is inside the mesh or on it: shape (n,).
 
-        It is exact if every edge is in an even number of faces. Otherwise there is no inside: the answer is what
-        trimesh makes of the hits of two rays, and a warning says so.
+        The answer is exact if every edge is in an even number of faces. Otherwise there is no inside: the answer
+        follows the hits of two rays like in trimesh, with a warning.
         """
         array = floats(points, "points")
         check_shape(array, "points", 3, "n")
@@ -152,7 +152,7 @@ class RayMeshIntersector:
         max_hits: int | None,
         each_location_once: bool,
     ) -> tuple[_Indices, _Indices, NDArray[np.float64]]:
-        """Faces, rays and locations."""
+        """Returns faces, rays and locations."""
         origins, directions, rows = _rays(ray_origins, ray_directions)
         scene = self.scene
         if scene is None:
@@ -178,7 +178,7 @@ _scenes: dict[int, tuple[int, Scene | None]] = {}
 
 
 def scene_of(mesh: trimesh.Trimesh) -> Scene | None:
-    """Returns the scene over a mesh as it is now, which all queries of the mesh share; None for one without faces."""
+    """Returns the scene over the current mesh, shared by all its queries; None for a mesh without faces."""
     now, key = hash(mesh), id(mesh)
     if key not in _scenes:
         weakref.finalize(mesh, _scenes.pop, key, None)
@@ -191,7 +191,7 @@ def scene_of(mesh: trimesh.Trimesh) -> Scene | None:
 
 
 def _rays(origins: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64], _Indices]:
-    """Both as arrays, and the rows that have a direction."""
+    """Returns origins and directions as arrays, and the rows with a direction."""
     starts, ways = floats(origins, "ray_origins"), floats(directions, "ray_directions")
     if starts.shape != ways.shape:
         raise ValueError(f"ray_origins and ray_directions: shapes {starts.shape} and {ways.shape}, expected the same")
@@ -204,11 +204,11 @@ def floats(array: ArrayLike, name: str) -> NDArray[np.float64]:
 
 
 def _kept(hits: AllHits, each_location_once: bool, most: int | None) -> NDArray[np.bool_]:
-    """Which hits are told."""
+    """Returns which hits are reported."""
     keep = np.ones(len(hits.t), dtype=bool)
     rays = hits.rays
     if each_location_once:
-        # Hits of a ray are in the order of t.
+        # Hits of a ray have the order of t.
         keep[1:] = (rays[1:] != rays[:-1]) | (hits.t[1:] != hits.t[:-1])
     if most is not None:
         before = np.concatenate([[0], np.cumsum(keep)])

@@ -1,12 +1,12 @@
-//! The order of the modules, as the picture of the design has it: imports point from a later row of [`ALLOWED`] to
-//! earlier ones. And the habits that a script can see: short files, no `unsafe`, no panics on purpose.
+//! The order of the modules as in ARCHITECTURE.md: a row of [`ALLOWED`] imports only earlier rows. Also habits that a
+//! script can check: short files, no `unsafe`, no deliberate panics.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::files::{files, read, root, sources};
 
-/// What each module of the library imports of the others, all of it from rows above its own.
+/// The imports of each module of the library, all of them from earlier rows.
 const ALLOWED: &[(&str, &[&str])] = &[
     ("key", &[]),
     ("name", &[]),
@@ -21,14 +21,14 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("oracle", &["event", "order", "tree"]),
     ("traverse", &["event", "hash", "key", "name", "order", "swap", "trail", "tree"]),
     ("wide", &["event", "hash", "key", "name", "order", "tree"]),
-    // The core above needs no geometry.
+    // The core, in the rows above, needs no geometry.
     ("geom", &["environment"]),
     ("generate", &["geom", "hash", "name", "order", "tree", "wide"]),
     ("bvh", &["geom", "hash", "name", "order", "threads", "tree", "wide"]),
     ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "threads", "traverse", "tree", "wide"]),
 ];
 
-/// Which crates of this repository each crate needs, all of them from rows above its own.
+/// The crates of this repository that each crate needs, all of them from earlier rows.
 const CRATES: &[(&str, &[&str])] = &[
     (".", &[]),
     ("crates/scene", &["stackless-bvh"]),
@@ -50,21 +50,21 @@ const CRATES: &[(&str, &[&str])] = &[
     ("crates/web", &["stackless-bvh", "stackless-explain", "stackless-scene"]),
 ];
 
-/// Macros of the crate, which stand in its root and import nothing.
+/// Macros in the root of the crate, without imports.
 const MACROS: [&str; 2] = ["named", "topology_of"];
 
-/// Lines that may panic on purpose, by file and text, and why.
+/// Lines that may panic deliberately, by file and text, with reasons.
 const PANICS: &[(&str, &str, &str)] = &[
-    ("src/hash/modulo.rs", ".expect(\"a table has 1 to 2^31 cells\")", "a constant: it is the compiler that stops"),
-    ("src/generate/procedural.rs", ".expect(\"coordinates are finite", "a made scene is a mesh, whatever the seed"),
-    ("src/geom/lanes/mod.rs", "None => unreachable!(", "the target has what is asked for"),
-    ("src/geom/lanes/mod.rs", "(None, None) => unreachable!(", "the target has what is asked for"),
-    ("src/tree/linked.rs", "None => panic!(", "a constant: it is the compiler that stops"),
+    ("src/hash/modulo.rs", ".expect(\"a table has 1 to 2^31 cells\")", "evaluated by the compiler"),
+    ("src/generate/procedural.rs", ".expect(\"coordinates are finite", "a generated scene is a mesh for every seed"),
+    ("src/geom/lanes/mod.rs", "None => unreachable!(", "the target has the requested instructions"),
+    ("src/geom/lanes/mod.rs", "(None, None) => unreachable!(", "the target has the requested instructions"),
+    ("src/tree/linked.rs", "None => panic!(", "evaluated by the compiler"),
 ];
 
 const LONGEST: usize = 400;
 
-/// An import of another module of the library: who, and the path that follows `crate::`.
+/// An import of another module of the library: the importing module, and the path after `crate::`.
 type Import = (String, String);
 
 fn is_test(file: &Path) -> bool {
@@ -77,14 +77,14 @@ fn code(text: &str) -> String {
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-/// `src/hash/fold.rs` is the module `hash::fold`, `src/hash/mod.rs` is `hash`; the crate's own root has no name.
+/// The module of a file: `src/hash/fold.rs` is `hash::fold`, `src/hash/mod.rs` is `hash`; the crate's root has no name.
 fn module(file: &Path) -> Vec<String> {
     let path = file.strip_prefix("src").unwrap().with_extension("");
     let names = path.iter().map(|name| name.to_string_lossy().into_owned());
     names.filter(|name| !matches!(name.as_str(), "mod" | "lib")).collect()
 }
 
-/// The paths of a use tree: `a::{b, c::d}` gives `a::b` and `a::c::d`. It ends where Rust's would.
+/// The paths of a use tree: `a::{b, c::d}` gives `a::b` and `a::c::d`. It ends at the end of the Rust syntax.
 fn expand(tree: &str) -> Vec<String> {
     let is_path = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
     let path = &tree[..tree.find(|c| !is_path(c)).unwrap_or(tree.len())];
@@ -110,14 +110,14 @@ fn expand(tree: &str) -> Vec<String> {
     paths
 }
 
-/// What a file imports of other modules: by `crate::`, and by as many `super::` as lead there.
+/// The imports of other modules in a file: by `crate::`, or by the corresponding number of `super::`.
 fn imports(module: &[String], code: &str) -> BTreeSet<Import> {
     let Some(own) = module.first() else { return BTreeSet::new() };
     let mut found = BTreeSet::new();
     let to_root = "super::".repeat(module.len());
     for start in ["crate::", &to_root] {
         let at = code.match_indices(start).map(|(at, _)| at);
-        // Of `stackless_bvh::` or a longer chain of `super::` this would be the tail.
+        // Skips the tail of `stackless_bvh::` or of a longer chain of `super::`.
         let whole = at.filter(|&at| !code[..at].ends_with(|c: char| c.is_alphanumeric() || "_:".contains(c)));
         for path in whole.flat_map(|at| expand(&code[at + start.len()..])) {
             if path.split("::").next() != Some(own) {
@@ -220,7 +220,8 @@ fn rows<'t>(text: &'t str, heading: &str) -> Vec<Vec<&'t str>> {
     section.lines().filter(|line| line.starts_with('|')).skip(2).map(cells).collect()
 }
 
-/// The table of a ray's path matches the code: each file has the function of its row, and names that of the next one.
+/// The table of a ray's path matches the code: each file has the function of its row, and names the function of the
+/// next row.
 #[test]
 fn the_table_shows_the_path_of_a_ray() {
     let text = read(Path::new("ARCHITECTURE.md"));
@@ -256,7 +257,7 @@ fn the_reference_is_short() {
 fn nothing_is_unsafe() {
     let is_root = |file: &&PathBuf| file.ends_with("src/lib.rs") || file.ends_with("main.rs");
     for file in sources().iter().filter(is_root) {
-        // Pointers of C: the modules that may read them say so. And a macro that has a function run before `main`.
+        // Modules that read pointers of C, and a macro that runs a function before `main`, have exceptions.
         let is_denied = file.starts_with("crates/capi") || file.ends_with("cli/src/lib.rs");
         let level = if is_denied { "deny" } else { "forbid" };
         assert!(read(file).contains(&format!("\n#![{level}(unsafe_code)]\n")), "{}", file.display());
@@ -267,7 +268,7 @@ fn nothing_is_unsafe() {
     assert!(read(Path::new("Cargo.toml")).contains("\nunsafe_code = \"deny\"\n"));
 }
 
-/// Lines of code that panic on purpose: what cannot be is an error or is not asked for.
+/// Lines of code that panic deliberately. Impossible cases should be errors instead.
 fn panics(code: &str) -> impl Iterator<Item = (usize, &str)> {
     const WORDS: [&str; 6] = [".unwrap()", ".expect(", "panic!(", "unreachable!(", "todo!(", "unimplemented!("];
     code.lines().enumerate().filter(|(_, line)| WORDS.iter().any(|word| line.contains(word)))

@@ -1,7 +1,6 @@
-//! Every clause of the specification is covered as its kind requires, and whatever cites a clause cites one that there
-//! is.
+//! Every clause of the specification is covered as its kind requires, and every cited clause exists.
 //!
-//! `cargo test --test project coverage` writes to `target/tmp/coverage.txt` what covers each.
+//! `cargo test --test project coverage` writes the coverage of each clause to `target/tmp/coverage.txt`.
 
 mod tests;
 
@@ -13,19 +12,19 @@ use std::path::{Component, Path, PathBuf};
 use crate::files::{files, read, sources};
 use stackless_suite::author;
 
-/// What a clause is, which says how it has to be covered.
+/// The kind of a clause, which determines how it must be covered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Definition,
     Rule,
-    /// By machine, each sentence of it.
+    /// Each sentence is proved by machine.
     Theorem,
-    /// By machine, but for what the clause says is by hand or tested.
+    /// Proved by machine, except for parts that the clause marks as proved by hand or tested.
     TheoremInPart,
     Argument,
 }
 
-/// What covers it.
+/// The kind of a cover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Cover {
     Source,
@@ -69,13 +68,14 @@ struct Clause {
     id: String,
     kind: Option<Kind>,
     title: String,
-    /// Sentences of its first paragraph, but for those in parentheses: what it states. Reasons stand below.
+    /// Number of sentences in its first paragraph, without parentheses: the statement. Reasons follow in later
+    /// paragraphs.
     sentences: usize,
-    /// What it says of a part that no machine has proved.
+    /// Whether a part is marked as not proved by machine.
     by_hand: bool,
 }
 
-/// A clause that something cites, and the name of that thing.
+/// A cited clause, and the name of the citing item.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Citation {
     id: String,
@@ -85,7 +85,7 @@ struct Citation {
     by: String,
 }
 
-/// The clauses of a text: they begin with `**[ID] Title.** *Kind.*`, and end at the next one.
+/// The clauses of a text. A clause begins with `**[ID] Title.** *Kind.*`, and ends at the next clause.
 fn clauses(text: &str) -> Vec<Clause> {
     let text = format!("\n{text}");
     let heads = text.split("\n**[").skip(1).filter_map(|clause| clause.split_once("] "));
@@ -105,7 +105,7 @@ fn clauses(text: &str) -> Vec<Clause> {
     heads.map(clause).collect()
 }
 
-/// How many sentences a text has. What is in parentheses does not count.
+/// Number of sentences of a text, without parentheses.
 fn sentences(text: &str) -> usize {
     let mut depth = 0_u32;
     let outside: String = text
@@ -119,8 +119,7 @@ fn sentences(text: &str) -> usize {
     1 + words.windows(2).filter(|pair| pair[0].ends_with('.') && pair[1].starts_with(char::is_uppercase)).count()
 }
 
-/// Ids in brackets, one or a list of them: capitals, a hyphen, a number. Numbers of sentences may come behind, in
-/// parentheses.
+/// Ids in brackets, one or several: capitals, a hyphen, a number. Numbers of sentences may follow in parentheses.
 fn cited(line: &str) -> impl Iterator<Item = (&str, Vec<usize>)> {
     let is_id = |id: &str| {
         id.split_once('-').is_some_and(|(name, number)| {
@@ -138,8 +137,8 @@ fn cited(line: &str) -> impl Iterator<Item = (&str, Vec<usize>)> {
     })
 }
 
-/// The citations of a file. Those of tests and proofs go by the item that they belong to, or by the file if it is its
-/// heading.
+/// The citations of a file. Tests and proofs are named by the item of the citation, or by the file if the citation is
+/// in its heading.
 fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
     let lines: Vec<_> = text.lines().collect();
     let mut found = Vec::new();
@@ -148,10 +147,10 @@ fn citations(file: &str, text: &str, cover: Cover) -> Vec<Citation> {
             let item = match cover {
                 Cover::Source => None,
                 _ if line.starts_with("//!") => None,
-                // The clauses of a lemma stand beside its name.
+                // The clauses of a lemma are next to its name.
                 Cover::Smt => lines[..=at].iter().rev().find_map(|line| quoted(line)),
                 Cover::Suite => None,
-                // Those of a harness stand before it, in a list.
+                // The clauses of a harness are before it, in a list.
                 Cover::Harness => {
                     lines[at..].iter().find(|line| !line.trim_start().starts_with("//")).and_then(|line| word(line))
                 }
@@ -178,19 +177,19 @@ fn word(line: &str) -> Option<&str> {
         .filter(|name| !name.is_empty())
 }
 
-/// The first string of a line that is not a list of clauses.
+/// The first string of a line, unless it is a list of clauses.
 fn quoted(line: &str) -> Option<&str> {
     line.split('"').nth(1).filter(|text| !text.is_empty() && !text.starts_with('['))
 }
 
-/// What is wrong, and the coverage as a text.
+/// Returns the faults, and the coverage as a text.
 fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
     let (mut wrong, mut text) = (Vec::new(), String::new());
     let mut known = BTreeSet::new();
     for clause in clauses {
         let Clause { id, kind, title, .. } = clause;
         if !known.insert(id.as_str()) {
-            wrong.push(format!("{id} stands twice in the specification"));
+            wrong.push(format!("{id} occurs twice in the specification"));
         }
         let mine: BTreeSet<_> = citations.iter().filter(|citation| citation.id == *id).collect();
         let covers = mine.iter().map(|citation| citation.cover).collect();
@@ -216,7 +215,7 @@ fn judge(clauses: &[Clause], citations: &[Citation]) -> (Vec<String>, String) {
     (wrong, text)
 }
 
-/// What a clause says of itself that its lemmas do not.
+/// Claims of a clause about its proofs that its lemmas contradict.
 fn overclaims(clause: &Clause, kind: Kind, mine: &BTreeSet<&Citation>) -> Vec<String> {
     let Clause { id, sentences, by_hand, .. } = clause;
     let lemmas: Vec<_> = mine.iter().filter(|citation| citation.cover.is_proof()).collect();
@@ -224,7 +223,7 @@ fn overclaims(clause: &Clause, kind: Kind, mine: &BTreeSet<&Citation>) -> Vec<St
     let mut wrong = Vec::new();
     match kind {
         Kind::Theorem if *by_hand => wrong.push(format!("{id} is a theorem, and has a part by hand")),
-        // A clause of one sentence is what its lemmas state.
+        // The lemmas of a clause with one sentence state that sentence.
         Kind::Theorem if *sentences > 1 => {
             let missing = (1..=*sentences).filter(|&number| !states(number));
             wrong.extend(missing.map(|number| format!("{id} is a theorem, and no lemma states its sentence {number}")));
@@ -298,23 +297,23 @@ fn all_citations() -> Vec<Citation> {
     all
 }
 
-/// The texts of the kernels for GPUs, and of what runs and tests them.
+/// The texts of the GPU kernels, and of the programs that run and test them.
 fn kernels(ending: &str) -> Vec<PathBuf> {
     ["src", "wgsl", "tests"].iter().flat_map(|folder| files(&format!("gpu-check/{folder}"), ending)).collect()
 }
 
-/// Clauses of what is asked of an implementation that have no case, and why.
+/// Clauses about implementations without a case in the suite, with reasons.
 const NOT_ASKED: [(&[&str], &str); 9] = [
     (&["KEY-7"], "follows from KEY-2 to KEY-4"),
     (
         &["STACK-1", "IMPLICIT-1", "IMPLICIT-2", "IMPLICIT-3", "SPARSE-1", "SPARSE-2", "AFRA-1"],
-        "says how; seen as TRAVERSE-1",
+        "a method; TRAVERSE-1 has the observable result",
     ),
-    (&["HASHONLY-1", "LAINE-1", "GLASSNER-1"], "says how; seen as TRAVERSE-1"),
-    (&["STATE-1"], "memory is not seen from outside"),
-    (&["HASH-2", "HASH-8"], "a choice of this library: tables of any size, made in any way, are right"),
+    (&["HASHONLY-1", "LAINE-1", "GLASSNER-1"], "a method; TRAVERSE-1 has the observable result"),
+    (&["STATE-1"], "memory is not observable"),
+    (&["HASH-2", "HASH-8"], "a choice of this library: tables of any size and construction are right"),
     (&["PAUSE-6"], "a format of this library"),
-    (&["HASH-10", "DISJOINT-5"], "about an interface, not about what is computed"),
+    (&["HASH-10", "DISJOINT-5"], "about an interface, not about results"),
     (&["PAUSE-7"], "follows from PAUSE-4"),
     (&["CONF-1", "CONF-4"], "about the suite itself"),
 ];
@@ -351,7 +350,7 @@ fn the_table_of_theorems_has_them_all() {
     assert!(missing.is_empty(), "{missing:?}");
 }
 
-/// No proof without a clause: what is proved for nothing is not in the specification, or is not said to be.
+/// Every proof has a clause: no theorem is missing in the specification.
 #[test]
 fn every_proof_file_cites_a_clause() {
     let cited: BTreeMap<_, _> = all_citations().into_iter().map(|citation| (citation.by, citation.cover)).collect();
@@ -359,8 +358,8 @@ fn every_proof_file_cites_a_clause() {
         let cites = |file: &PathBuf| cited.keys().any(|by| by.starts_with(&file.display().to_string()));
         files(folder, ending).into_iter().filter(|file| !cites(file)).collect::<Vec<_>>()
     };
-    // What is evaluated, written by programs in which a clause would have to be named at each; what is printed from the
-    // library's source, in which nothing is proved; and what is extracted.
+    // Exceptions: evaluations, generated by programs that cannot name a clause at each; operations printed from the
+    // library's source, without proofs; and extraction.
     let evaluated =
         ["Cases.v", "Suite.v", "Vectors.v", "exact/Arithmetic.v", "exact/Operations.v", "extract/Extract.v"]
             .map(|file| Path::new("spec/rocq").join(file));

@@ -1,6 +1,6 @@
-//! The meshes in `examples/data`: made here, so that nobody's licence is in question.
+//! The meshes in `examples/data`. This test generates them, so there is no question of licences.
 //!
-//! `UPDATE=1 cargo test --test project data` writes them anew.
+//! `UPDATE=1 cargo test --test project data` writes them.
 
 use std::collections::HashSet;
 use std::f64::consts::TAU;
@@ -16,7 +16,7 @@ struct Shape {
     faces: Vec<Vec<u32>>,
 }
 
-/// With `UPDATE=1` in the environment they are written.
+/// With `UPDATE=1` in the environment, writes the meshes.
 #[test]
 fn the_example_meshes_are_what_is_made_here() {
     let made = [
@@ -31,7 +31,7 @@ fn the_example_meshes_are_what_is_made_here() {
             fs::write(&path, &bytes).expect(name);
         }
         assert!(bytes.len() < 100_000, "{name}: {} bytes", bytes.len());
-        assert!(fs::read(&path).is_ok_and(|found| found == bytes), "{name} differs from what is made here");
+        assert!(fs::read(&path).is_ok_and(|found| found == bytes), "{name} differs from the generated file");
     }
 }
 
@@ -58,7 +58,7 @@ fn the_slivers_are_slivers() {
     }
 }
 
-/// A ring of tubes: 48 around, 24 across.
+/// A torus: 48 segments around, 24 across.
 fn torus() -> Shape {
     let (around, across) = (48, 24);
     let mut shape = Shape::default();
@@ -114,7 +114,7 @@ fn room() -> Shape {
     shape
 }
 
-/// A fan of needles that lean on a ring: each triangle is more than a hundred times as long as it is wide.
+/// A fan of needles that lean on a ring. Each triangle is more than a hundred times as long as wide.
 fn slivers() -> Shape {
     let mut shape = Shape::default();
     for needle in 0..1200_u32 {
@@ -131,7 +131,7 @@ fn slivers() -> Shape {
     shape
 }
 
-/// A plate of 6 by 4 by 1 with a hole of eight sides in the middle.
+/// A plate of 6 by 4 by 1, with an octagonal hole in the middle.
 fn part() -> Shape {
     let mut shape = Shape::default();
     let outline =
@@ -141,7 +141,7 @@ fn part() -> Shape {
     for (z, ring) in [0.0, 1.0].iter().flat_map(|z| rings.iter().map(move |ring| (*z, ring))) {
         shape.points.extend(ring.iter().map(|&[x, y]| [x, y, z].map(rounded)));
     }
-    // Of the rings, below outside and inside, above outside and inside, in turn: each pair bounds a strip.
+    // Strips between pairs of rings: below outside, below inside, above inside, above outside.
     for [from, to] in [[1, 0], [0, 2], [2, 3], [3, 1]] {
         for (i, j) in (0..8).map(|i| (i, (i + 1) % 8)) {
             let [a, b, c, d] = [8 * from + i, 8 * from + j, 8 * to + j, 8 * to + i];
@@ -151,7 +151,7 @@ fn part() -> Shape {
     shape
 }
 
-/// To five digits, so that no machine's sines differ in what is written.
+/// Rounds to five digits, so that sines of all machines give equal files.
 fn rounded(x: f64) -> f32 {
     ((x * 1e5).round() / 1e5 + 0.0) as f32
 }
@@ -221,7 +221,7 @@ impl Shape {
         bytes
     }
 
-    /// Without normals, which are zeros.
+    /// Normals are zeros.
     fn to_binary_stl(&self) -> Vec<u8> {
         let mut bytes = vec![0; 80];
         bytes.extend((self.faces.len() as u32).to_le_bytes());

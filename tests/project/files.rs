@@ -7,7 +7,7 @@ pub(crate) fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
-/// The files below a folder with this ending, relative to the package, in order.
+/// The files below a folder with this extension, relative to the package, in order.
 pub(crate) fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     let (mut files, mut folders) = (Vec::new(), vec![root().join(folder)]);
     while let Some(folder) = folders.pop() {
@@ -27,7 +27,7 @@ pub(crate) fn read(file: &Path) -> String {
     fs::read_to_string(root().join(file)).unwrap()
 }
 
-/// The code of the library, of the crates around it and of the Python package, without their tests' folders.
+/// The code of the library, of its crates and of the Python package, without the folders of tests.
 pub(crate) fn sources() -> Vec<PathBuf> {
     let is_source = |file: &PathBuf| file.components().nth(2).is_some_and(|folder| folder.as_os_str() == "src");
     [files("src", "rs"), files("python/src", "rs"), files("python/stackless_bvh", "py")]

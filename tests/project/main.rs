@@ -1,4 +1,4 @@
-//! The habits of the repository that a script can see: which module imports which, what covers a clause, what is cited.
+//! Habits of the repository that a script can check: imports of modules, coverage of clauses, citations.
 
 mod architecture;
 mod bibliography;

@@ -1,10 +1,10 @@
-//! Where texts point: what they name of this repository is there.
+//! References in texts: each named file of this repository exists.
 
 use std::path::Path;
 
 use crate::files::{read, root};
 
-/// Folders that are named from the root.
+/// Folders whose files are named relative to the root.
 const FOLDERS: [&str; 12] = [
     "benches/",
     "campaign/",
@@ -30,7 +30,7 @@ fn paths(text: &str) -> Vec<(usize, &str)> {
     (1..).zip(text.lines()).flat_map(of_line).collect()
 }
 
-/// Where links lead within the repository, each with its line and the heading that it names.
+/// The targets of links within the repository, each with its line and heading.
 fn links(text: &str) -> Vec<(usize, &str, Option<&str>)> {
     let of_line = |(line, text)| {
         let ends = str::split(text, "](").skip(1).filter_map(|rest| rest.split_once(')'));
@@ -42,7 +42,7 @@ fn links(text: &str) -> Vec<(usize, &str, Option<&str>)> {
     parts.filter(|(_, path, _)| !path.contains(':')).collect()
 }
 
-/// The names by which links may lead to the headings of a text.
+/// The link names of the headings of a text.
 fn headings(text: &str) -> Vec<String> {
     let mut is_code = false;
     let lines = text.lines().filter(move |line| {
@@ -80,7 +80,7 @@ fn every_path_in_a_text_is_there() {
                 continue;
             }
             let text = read(&file);
-            // A text may name what stands beside it.
+            // A text may name files in its own folder.
             let is_there =
                 |path: &str| root().join(path).exists() || file.parent().unwrap_or(Path::new("")).join(path).exists();
             let is_linked = |path: &str, heading: Option<&str>| {
@@ -94,7 +94,7 @@ fn every_path_in_a_text_is_there() {
             let file = file.strip_prefix(root()).unwrap().display();
             let named = named.map(|(line, path)| (line, path.to_owned()));
             wrong.extend(named.chain(linked).map(|(line, to)| format!("{file}:{line}: {to}")));
-            // In the book, MkDocs takes any other for no fence, and what follows for code.
+            // In the book, MkDocs does not accept other fences, and treats the following text as code.
             let fences = (1..).zip(text.lines()).filter_map(|(line, text)| Some((line, text.strip_prefix("```")?)));
             let odd = fences.filter(|(_, label)| folder == "docs" && !label.chars().all(char::is_alphanumeric));
             wrong.extend(odd.map(|(line, label)| format!("{file}:{line}: a fence of {label}")));

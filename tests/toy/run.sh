@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A new traversal is one file and one row: adds a toy to a copy of the work tree, and sees the command take it up.
+# Shows that a new traversal is one file and one row: adds a toy to a copy of the work tree, and runs the commands with it.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 toy=$PWD/tests/toy
-# A folder of its own: other jobs, beside this one, put the command without the toy where this one would.
+# A separate folder, because other jobs build the command without the toy in the default folder at the same time.
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/target}/toy
-# It runs little, so what takes time is the compiler.
+# Most of the time is compile time.
 export CARGO_PROFILE_DEV_OPT_LEVEL=0 CARGO_PROFILE_DEV_DEBUG=none
 
 copy=$(mktemp -d)
@@ -23,7 +23,7 @@ sed --in-place '$d' src/traverse/table.rs
 
 cargo build --package stackless-cli --features lab
 
-# What its answer has to say, and the command.
+# The expected text of the output, and the command.
 sees() {
     local wanted=$1
     shift

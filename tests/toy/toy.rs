@@ -1,4 +1,4 @@
-//! A toy that nobody needs: key and trail, and every node found by walking down from the root.
+//! A toy traversal for tests/toy/run.sh: key and trail, and a walk from the root to find each node.
 
 use core::mem::take;
 
@@ -9,7 +9,7 @@ use crate::order::Descent;
 use crate::trail;
 use crate::tree::{Keys, Node, Topology};
 
-/// Finds every node by a walk along its key.
+/// Finds each node by a walk along its key.
 #[derive(Debug)]
 pub struct Toy<'t, W, T> {
     tree: &'t T,
@@ -22,7 +22,7 @@ impl<'t, W: KeyWord, T: Topology> Toy<'t, W, T> {
     /// Starts at the root.
     ///
     /// # Errors
-    /// [`TooDeep`] beyond as many edges as the word has bits, less one.
+    /// [`TooDeep`] if the depth is not below the number of bits of the word.
     pub fn new(tree: &'t T) -> Result<Self, TooDeep> {
         W::carries(tree.depth(), 1)?;
         Ok(Self { tree, node: tree.root(), key: key::root(), trail: W::zero() })

@@ -1,7 +1,7 @@
 //! `obvhs`: its binary hierarchy and its compressed wide one, with the preset `medium_build`.
 //!
-//! As its examples advise, triangles lie in the order of the leaves, so that no index is looked up on the way. They are
-//! in the form that it has for tracing on processors ([`RtTriangle`], edges and normal computed ahead).
+//! As its examples advise, triangles have the order of the leaves, so traversal needs no index lookup. They have the
+//! crate's format for tracing on CPUs ([`RtTriangle`], with precomputed edges and normal).
 
 use std::time::Duration;
 

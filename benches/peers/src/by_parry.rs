@@ -1,5 +1,5 @@
-//! `parry3d`: its hierarchy by locally-ordered clustering, which it recommends where many rays are cast, with its own
-//! triangle test.
+//! `parry3d`: its hierarchy by locally-ordered clustering, which it recommends for many rays, with its own triangle
+//! test.
 
 use parry3d::bounding_volume::Aabb;
 use parry3d::math::Vector;
@@ -25,7 +25,7 @@ impl Hierarchy {
         Self { bvh: Bvh::from_leaves(BvhBuildStrategy::Ploc, &boxes), triangles }
     }
 
-    /// Distance to a triangle, if it is within the ray's interval and not beyond the best so far.
+    /// The distance of a triangle, if it is within the ray's interval and not beyond the best hit.
     #[inline]
     fn distance(&self, ray: &Ray, prepared: &ParryRay, i: u32, best: f32) -> Option<f32> {
         self.triangles[i as usize].cast_local_ray(prepared, best, false).filter(|&t| ray.tmin <= t)
@@ -43,7 +43,7 @@ impl Tracer for Hierarchy {
     fn any(&self, rays: &[Ray], hits: &mut [bool]) {
         each(rays, hits, |ray| {
             let prepared = prepared(ray);
-            // There is no such query. A hit that is said to be infinitely near leaves nothing else to visit.
+            // The crate has no any-hit query. A hit at minus infinity prevents further visits.
             let nearest = |i, best| self.distance(ray, &prepared, i, best).map(|_| f32::NEG_INFINITY);
             self.bvh.cast_ray(&prepared, ray.tmax, nearest).is_some()
         });

@@ -1,21 +1,20 @@
-//! Embree 3 through its C library, which is loaded when it is asked for.
+//! Embree 3 through its C library, which is loaded on first use.
 //!
-//! Scenes are static, of medium build quality, with the flag for robust tests or without flags, or dynamic ones that are
-//! refitted; single rays, as the others have them. [`DoubleScene`] tests triangles in double precision. Embree's manual
-//! recommends to let the processor flush denormal numbers; as that would change what the exact tests in the same thread
-//! compute, it is not done.
+//! Scenes are static, with medium build quality, and with or without the flag for robust tests; or dynamic and
+//! refitted. Rays are traced one by one, like those of other peers. [`DoubleScene`] tests triangles in double
+//! precision. Embree's manual recommends flushing denormal numbers. This module does not flush them, because that would
+//! change the results of exact tests in the thread.
 //!
 //! # Safety
 //!
-//! This module and its submodule are the only ones with `unsafe`. What it rests on:
-//! - The types and the declarations of functions are those of the headers of Embree 3.13, whose binary interface is the
-//!   same for all libraries of this soname. Sizes are checked when compiling.
-//! - The library is never unloaded: what it keeps for a thread is cleared when the thread ends. So its functions are
-//!   there as long as the program.
-//! - [`Scene`] gives its handles back once, when it is dropped. It is neither `Send` nor `Sync`, so it stays on its
-//!   thread.
-//! - Buffers are Embree's own and have as many items as are written. Indices have been checked before.
-//! - A ray and its hit are on the stack, with the alignment that Embree asks for, and outlive the call.
+//! Only this module and its submodule have `unsafe`. The code relies on these facts:
+//! - The types and declarations of functions are those of the headers of Embree 3.13. All libraries with this soname
+//!   have that binary interface. The compiler checks the sizes.
+//! - The library is never unloaded, because its thread-local data is cleared when a thread ends. So its functions exist
+//!   until the program ends.
+//! - [`Scene`] releases its handles once, on drop. It is neither `Send` nor `Sync`, so it stays on its thread.
+//! - Embree owns the buffers, which have the size of the written items. Indices are checked before.
+//! - A ray and its hit are on the stack, with the alignment of Embree's types, and outlive the call.
 #![allow(unsafe_code)]
 
 mod double;
@@ -35,7 +34,7 @@ use crate::{Hit, PeerError, Ray, Tracer, each};
 pub(crate) struct Scene {
     device: Handle,
     handle: Handle,
-    /// The scene owns it.
+    /// Owned by the scene.
     geometry: Handle,
     vertices: usize,
     api: &'static Api,
@@ -92,12 +91,12 @@ const REFIT: c_int = 3;
 #[repr(i32)]
 pub(crate) enum Kind {
     Plain = 0,
-    /// Refitted after its vertices have moved.
+    /// The vertices move, and the scene is refitted.
     Moving = 1,
     Robust = 1 << 2,
 }
 
-/// Declares the functions that are used, and how they are found.
+/// Declares the functions, and loads them.
 macro_rules! api {
     ($($field:ident: $symbol:literal fn($($argument:ty),*) $(-> $result:ty)?;)*) => {
         struct Api {
@@ -113,10 +112,10 @@ macro_rules! api {
 
             fn find() -> Result<Self, PeerError> {
                 let missing = |error: libloading::Error| PeerError::NotInstalled(format!("{SONAME}: {error}"));
-                // SAFETY: Embree's initialisers do nothing that a program could mind.
+                // SAFETY: Embree's initialisers have no side effects on this program.
                 let library = unsafe { Library::new(SONAME) }.map_err(missing)?;
                 Ok(Self {
-                    // SAFETY: the declarations are those of the headers, and the library stays.
+                    // SAFETY: the declarations are those of the headers, and the library is never unloaded.
                     $($field: *unsafe { library.get(concat!($symbol, "\0").as_bytes()) }.map_err(missing)?,)*
                     _library: library,
                 })
@@ -152,14 +151,14 @@ api! {
 }
 
 impl Scene {
-    /// All indices must be of vertices.
+    /// All indices must be valid.
     pub(crate) fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]], kind: Kind) -> Result<Self, PeerError> {
         Self::of(TRIANGLES, vertices.len(), kind, |scene| {
             scene.fill(VERTEX_BUFFER, FLOAT3, vertices) && scene.fill(INDEX_BUFFER, UINT3, triangles)
         })
     }
 
-    /// A scene of one geometry, which `fill` describes; it returns whether there is memory for that.
+    /// Creates a scene of one geometry. `fill` describes the geometry, and returns whether there is enough memory.
     fn of(shape: c_int, vertices: usize, kind: Kind, fill: impl FnOnce(&Self) -> bool) -> Result<Self, PeerError> {
         let api = Api::load()?;
         // SAFETY: the text ends with a zero.
@@ -167,19 +166,19 @@ impl Scene {
         if device.is_null() {
             return Err(PeerError::Refused("Embree has no device for this processor".to_owned()));
         }
-        // SAFETY: the device is one.
+        // SAFETY: the device is valid.
         let (handle, geometry) = unsafe { ((api.new_scene)(device), (api.new_geometry)(device, shape)) };
         let this = Self { device, handle, geometry, vertices, api };
         let Api { set_scene_flags, set_scene_quality, set_quality, commit_geometry, attach_geometry, .. } = *api;
         let Api { release_geometry, commit_scene, device_error, .. } = *api;
-        // SAFETY: device, scene and geometry are what their functions made. The scene keeps the geometry when it is
-        // given back here.
+        // SAFETY: device, scene and geometry come from their constructors. The scene keeps the geometry after its
+        // release here.
         let written = unsafe {
             set_scene_flags(handle, kind as c_int);
             let written = fill(&this);
             if written {
                 if kind == Kind::Moving {
-                    // Only then the geometry has a tree of its own, which can be refitted.
+                    // These qualities give the geometry its own tree, which can be refitted.
                     set_scene_quality(handle, LOW);
                     set_quality(geometry, REFIT);
                 }
@@ -190,21 +189,21 @@ impl Scene {
             release_geometry(geometry);
             written
         };
-        // SAFETY: the device is one.
+        // SAFETY: the device is valid.
         match unsafe { device_error(device) } {
             0 if written => Ok(this),
             error => Err(PeerError::Refused(format!("Embree's error {error}"))),
         }
     }
 
-    /// Moves the vertices. There must be as many as before.
+    /// Moves the vertices. Their number must not change.
     pub(crate) fn refit(&mut self, vertices: &[[f32; 3]]) -> Result<(), PeerError> {
         if vertices.len() != self.vertices {
             return Err(PeerError::Refused(format!("{} vertices, expected {}", vertices.len(), self.vertices)));
         }
         let Api { get_buffer, update_buffer, commit_geometry, commit_scene, device_error, .. } = *self.api;
-        // SAFETY: the scene keeps the geometry, whose buffer has room for `self.vertices`. `self` is borrowed mutably, so
-        // no ray is traced meanwhile.
+        // SAFETY: the scene keeps the geometry, whose buffer has space for `self.vertices`. `self` is borrowed mutably,
+        // so no ray is traced meanwhile.
         let error = unsafe {
             let buffer = get_buffer(self.geometry, VERTEX_BUFFER, 0);
             ptr::copy_nonoverlapping(vertices.as_ptr(), buffer.cast(), vertices.len());
@@ -216,10 +215,10 @@ impl Scene {
         if error == 0 { Ok(()) } else { Err(PeerError::Refused(format!("Embree's error {error}"))) }
     }
 
-    /// Makes a buffer of the geometry with these items, or says that there is no memory for it.
+    /// Creates a buffer of the geometry with these items. Returns `false` without memory.
     fn fill<T: Copy>(&self, kind: c_int, format: c_int, items: &[[T; 3]]) -> bool {
-        // SAFETY: the geometry is one. The buffer that is made has room for the items, aligned for theirs (4 bytes),
-        // and nobody else knows of it.
+        // SAFETY: the geometry is valid. The new buffer has space for the items, with their alignment (4 bytes), and no
+        // other references exist.
         unsafe {
             let buffer = (self.api.new_buffer)(self.geometry, kind, 0, format, size_of::<[T; 3]>(), items.len());
             if !buffer.is_null() {
@@ -232,7 +231,7 @@ impl Scene {
 
 impl Drop for Scene {
     fn drop(&mut self) {
-        // SAFETY: both are what their functions made, and are given back once.
+        // SAFETY: scene and device come from their constructors, and are released once.
         unsafe {
             (self.api.release_scene)(self.handle);
             (self.api.release_device)(self.device);
@@ -245,7 +244,7 @@ impl Tracer for Scene {
         let mut context = Context::new();
         each(rays, hits, |ray| {
             let mut hit = RayHit::new(ray);
-            // SAFETY: the scene is committed; context and ray are whole, aligned, and ours.
+            // SAFETY: the scene is committed; context and ray are initialised, aligned, and owned by this function.
             unsafe { (self.api.intersect)(self.handle, &raw mut context, &raw mut hit) };
             (hit.geometry != NONE).then_some((hit.prim, hit.ray.tfar))
         });
@@ -255,7 +254,7 @@ impl Tracer for Scene {
         let mut context = Context::new();
         each(rays, hits, |ray| {
             let mut ray = RayPart::new(ray);
-            // SAFETY: as above.
+            // SAFETY: see `closest`.
             unsafe { (self.api.occluded)(self.handle, &raw mut context, &raw mut ray) };
             ray.tfar == f32::NEG_INFINITY
         });
@@ -263,7 +262,7 @@ impl Tracer for Scene {
 }
 
 impl Context {
-    /// What `rtcInitIntersectContext` makes.
+    /// The result of `rtcInitIntersectContext`.
     fn new() -> Self {
         Self { flags: 0, filter: ptr::null(), instance: NONE }
     }

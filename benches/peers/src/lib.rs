@@ -1,8 +1,8 @@
-//! Ray tracers by others behind one interface on plain numbers, so that they can be measured in the same turns and on
-//! the same rays as `stackless-bvh`, whatever vectors they use.
+//! Other ray tracers behind one interface of plain numbers, so that they can be measured interleaved with
+//! `stackless-bvh` on equal rays.
 //!
-//! Each is used as its documentation recommends where many rays are traced; what was chosen stands in its file. All
-//! build with one thread.
+//! Each peer is used as its documentation recommends for many rays; its file gives the details. All peers build with
+//! one thread.
 
 mod by_bvh;
 mod by_obvhs;
@@ -14,7 +14,7 @@ pub type Hit = (u32, f32);
 
 /// A half-line `origin + t direction` with `tmin <= t <= tmax`; `tmax` may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(missing_docs, reason = "the names say it all")]
+#[allow(missing_docs, reason = "the names are clear")]
 pub struct Ray {
     pub origin: [f32; 3],
     pub direction: [f32; 3],
@@ -22,7 +22,7 @@ pub struct Ray {
     pub tmax: f32,
 }
 
-/// A mesh that is ready to be traced. Both queries answer as many rays as there is room for hits.
+/// A mesh that is ready for tracing. Each query answers the rays that have an element in `hits`.
 pub trait Tracer {
     /// The closest hit of each ray.
     fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]);
@@ -31,7 +31,7 @@ pub trait Tracer {
     fn any(&self, rays: &[Ray], hits: &mut [bool]);
 }
 
-/// A ray tracer by others.
+/// Another ray tracer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "each is documented where it is implemented")]
 pub enum Peer {
@@ -44,7 +44,7 @@ pub enum Peer {
     EmbreeDouble,
 }
 
-/// Why a peer does not trace a mesh.
+/// Reasons why a peer does not trace a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PeerError {
     /// A corner is not a vertex.
@@ -53,16 +53,16 @@ pub enum PeerError {
         /// Index of the triangle.
         triangle: usize,
     },
-    /// A library that is found when the program runs is not there, or not as it should be.
+    /// A library that is loaded at run time is missing or unsuitable.
     #[error("not installed: {0}")]
     NotInstalled(String),
-    /// The peer itself refuses.
+    /// The peer refuses the mesh.
     #[error("{0}")]
     Refused(String),
 }
 
 impl Peer {
-    /// All of them.
+    /// All peers.
     pub const ALL: [Self; 7] = [
         Self::ObvhsBvh2,
         Self::ObvhsCwbvh,
@@ -87,10 +87,10 @@ impl Peer {
         }
     }
 
-    /// Builds what the peer traces, from triangles that are three indices into `vertices` each.
+    /// Builds a tracer from triangles of three indices into `vertices`.
     ///
     /// # Errors
-    /// What [`PeerError`] lists.
+    /// [`PeerError`].
     ///
     /// ```
     /// use stackless_peers::{Peer, Ray};
@@ -120,24 +120,24 @@ impl Peer {
     }
 }
 
-/// A scene of Embree whose vertices move: its tree is refitted.
-#[allow(missing_debug_implementations, reason = "there is nothing to see")]
+/// An Embree scene with moving vertices; its tree is refitted.
+#[allow(missing_debug_implementations, reason = "no useful content")]
 pub struct Moving(embree::Scene);
 
 impl Moving {
-    /// Builds it.
+    /// Builds the scene.
     ///
     /// # Errors
-    /// What [`PeerError`] lists.
+    /// [`PeerError`].
     pub fn new(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Self, PeerError> {
         corners(vertices, triangles)?;
         embree::Scene::new(vertices, triangles, embree::Kind::Moving).map(Self)
     }
 
-    /// Moves the vertices, of which there must be as many as before.
+    /// Moves the vertices. Their number must not change.
     ///
     /// # Errors
-    /// [`PeerError::Refused`] if there are not, or there is no memory.
+    /// [`PeerError::Refused`] for another number of vertices, or without memory.
     pub fn refit(&mut self, vertices: &[[f32; 3]]) -> Result<(), PeerError> {
         self.0.refit(vertices)
     }
@@ -161,7 +161,7 @@ fn corners(vertices: &[[f32; 3]], triangles: &[[u32; 3]]) -> Result<Vec<[[f32; 3
     corners.collect()
 }
 
-/// Answers each ray in turn.
+/// Answers each ray.
 #[inline]
 fn each<H>(rays: &[Ray], hits: &mut [H], mut answer: impl FnMut(&Ray) -> H) {
     for (ray, hit) in rays.iter().zip(hits) {

@@ -1,6 +1,6 @@
 use super::*;
 
-/// A square in the plane z = 0, of two triangles, and one triangle behind it that is larger.
+/// A square of two triangles in the plane z = 0, and a larger triangle behind it.
 const VERTICES: [[f32; 3]; 7] = [
     [0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0],
@@ -16,7 +16,7 @@ fn ray(origin: [f32; 3], direction: [f32; 3], tmin: f32, tmax: f32) -> Ray {
     Ray { origin, direction, tmin, tmax }
 }
 
-/// Rays with their closest hits. Directions are of several lengths, and every side is seen.
+/// Rays with their closest hits, with directions of several lengths, seen from every side.
 fn cases() -> Vec<(Ray, Option<Hit>)> {
     let (up, down) = ([0.0, 0.0, 2.0], [0.0, 0.0, -0.5]);
     vec![
@@ -57,8 +57,8 @@ fn every_peer_that_is_there_finds_the_hits() {
     }
 }
 
-/// The same triangle at the same distance. Embree divides by `rcpps`, whose result is not the same on every processor,
-/// and one step of Newton: on AMD's the distance is one unit in the last place off.
+/// Whether the hits are one triangle at one distance. Embree divides by `rcpps`, whose result depends on the processor,
+/// with one Newton step: on AMD the distance is one ulp off.
 fn same(peer: Peer, hit: Option<Hit>, expected: Option<Hit>) -> bool {
     let error = if matches!(peer, Peer::Embree | Peer::EmbreeRobust) { f32::EPSILON } else { 0.0 };
     match (hit, expected) {

@@ -1,5 +1,5 @@
-//! What it costs to come from C: closest and any hits of the same rays in Rust and through `libstackless.so`,
-//! interleaved, in the time of this thread. Shares of the speed of Rust.
+//! The cost of calls from C: closest and any hits of equal rays in Rust and through `libstackless.so`, interleaved, in
+//! processor time of this thread. Prints shares of the speed of Rust.
 //!
 //! `cargo run --release -p stackless-capi --example overhead -- target/release/libstackless.so`
 
@@ -23,7 +23,7 @@ const ROUNDS: usize = 9;
 
 type Real<V> = <V as Vector>::Real;
 
-/// As in `stackless.h`.
+/// See `stackless.h`.
 #[repr(C)]
 #[derive(Clone, Copy)]
 struct RawRay<R> {
@@ -59,7 +59,7 @@ type Many<R, A> = unsafe extern "C" fn(
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = env::args().nth(1).ok_or("usage: overhead PATH of libstackless.so")?;
-    // SAFETY: it has no code that runs when it is loaded.
+    // SAFETY: the library runs no code when it is loaded.
     let library = unsafe { Library::new(path) }?;
     println!("| precision | Rust | closest1 | closest_n | any1 | any_n |\n|---|---|---:|---:|---:|---:|");
     run::<Vec3>(&library)?;
@@ -91,7 +91,7 @@ fn scene<V: Vector>() -> Result<Scene<V>, Box<dyn Error>> {
     Ok((mesh, (0..RAYS).map(ray).collect::<Result<_, _>>()?))
 }
 
-/// Prints the speed through C as a share of that in Rust.
+/// Prints the speed through C as a share of the speed in Rust.
 fn run<V: Precision>(library: &Library) -> Result<(), Box<dyn Error>> {
     let (mesh, rays) = scene::<V>()?;
     let (mesh, rays) = (&mesh, &*rays);
@@ -108,14 +108,14 @@ fn run<V: Precision>(library: &Library) -> Result<(), Box<dyn Error>> {
     let zero = Real::<V>::default();
     let mut hits = vec![RawHit { t: zero, u: zero, v: zero, face: 0 }; RAYS];
     let mut are_hit = vec![false; RAYS];
-    // Of rays that are made before, of those that Rust makes of the same numbers, and through C.
+    // Times for existing rays, for rays that Rust creates from the numbers, and through C.
     let [mut rust, mut with_made, mut c] = [[f64::INFINITY; 4]; 3];
     let checked = |ray: &RawRay<Real<V>>| {
         let [origin, direction] = [ray.origin, ray.direction].map(V::from_components);
         Ray::within(origin, direction, ray.tmin, ray.tmax).ok()
     };
     let all_checked = || plain.iter().map(checked).collect::<Option<Vec<_>>>().unwrap_or_default();
-    // SAFETY: the types are those of the header, and arrays are as long as the calls say.
+    // SAFETY: the types are those of the header, and arrays have the lengths in the calls.
     unsafe {
         let new = library.get::<New<Real<V>>>(symbol("scene_new").as_bytes())?;
         let closest1 = *library.get::<One<Real<V>, RawHit<Real<V>>>>(symbol("closest1").as_bytes())?;

@@ -1,6 +1,7 @@
-// A path tracer's loop in a closed sphere, with a lamp in the middle: at each hit a shadow ray to the lamp, and the next
-// ray. They begin at the exact point of the hit, so that none hits the face that it leaves, and none leaks out. The same
-// paths from rounded points show what an offset would have to hide. Prints counts, and fails if exact rays err.
+// The loop of a path tracer in a closed sphere, with a lamp in the middle. Each hit has a shadow ray to the lamp, and
+// the next ray of the path. Rays start at the exact point of the hit, so no ray hits the face that it leaves, and no
+// ray leaks out. Paths from rounded points show the errors that an offset would have to hide. Prints counts, and fails
+// if exact rays err.
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -23,7 +24,7 @@ static vector unit(const vector& v)
     return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-// An octahedron, of which each face becomes so many rows of triangles; each has vertices of its own, equal at the seams.
+// An octahedron with `rows` rows of triangles in each face. Each face has its own vertices, equal at the seams.
 static mesh sphere(int rows)
 {
     mesh made;
@@ -58,7 +59,7 @@ struct counts {
     }
 };
 
-// The point of a hit, rounded.
+// The rounded point of a hit.
 static vector place(const mesh& m, const scene::hit& hit)
 {
     const auto& face = m.faces[hit.face];

@@ -1,6 +1,6 @@
-// Tracks particles through volumes that share faces, as programs for particle transport do, and counts those that get
-// lost. Half of them are aimed exactly at vertices, along edges and within walls, where a tracker that rounds loses its
-// way.
+// Tracks particles through volumes that share faces, like programs for particle transport, and counts lost particles.
+// Half of the particles are aimed exactly at vertices, along edges and within walls, where rounding trackers lose
+// particles.
 //
 //     tracker [PARTICLES]
 #include <cmath>
@@ -15,21 +15,21 @@ using point = std::array<double, 3>;
 using face = std::array<std::uint32_t, 3>;
 using scene = stackless::scene<double>;
 
-// Three blocks in a row, in the middle one a shell, in the shell a core, and the void around all.
+// Three blocks in a row, a shell in the middle block, a core in the shell, and the void around all volumes.
 enum volume : int { nowhere, left, middle, right, shell, core, volumes };
 const char* const names[volumes] = {"void", "left block", "middle block", "right block", "shell", "core"};
 
-// All coordinates are multiples of this: so a difference of two points is exact, and a ray can be aimed at a vertex.
+// All coordinates are multiples of this, so differences of points are exact, and rays can be aimed exactly at vertices.
 constexpr double grid = 1.0 / 1024;
 
-// Faces over common vertices, each with the volumes that its front and its back are in.
+// Faces over common vertices, each with the volumes at its front and at its back.
 struct assembly {
     std::vector<point> vertices;
     std::vector<face> faces;
     std::vector<std::array<volume, 2>> sides;
 };
 
-// Where two coordinates are given and the third is one of two: a side of a box, of many small faces.
+// A side of a box, at the coordinate `at` of an axis, of many small faces.
 void add_wall(assembly& made, std::map<point, std::uint32_t>& known, int axis, double at, std::array<double, 2> from,
               std::array<double, 2> to, std::array<volume, 2> sides)
 {
@@ -109,7 +109,7 @@ assembly make()
     return made;
 }
 
-// A volume by the faces around it, and for each of them the volume behind it.
+// A volume: the faces around it, and for each face the volume behind it.
 struct cell {
     scene boundary;
     std::vector<volume> behind;
@@ -129,15 +129,16 @@ cell cut_out(const assembly& all, volume it)
     return {scene(all.vertices, faces), behind};
 }
 
-// Whether a particle at distance `from` of its start is in a volume: exactly, by how often the rest of its line crosses
-// the boundary. In the void the last part of every line is.
+// Whether a particle at distance `from` of its start is in a volume: exactly, by counting how often the rest of its
+// line crosses the boundary. The last part of every line is in the void.
 bool is_in(const std::vector<cell>& cells, volume it, scene::ray ray, double from)
 {
     ray.tmin = from;
     return cells[it].boundary.crossings(ray) % 2 == (it == nowhere ? 0 : 1);
 }
 
-// Tracks a particle to the void. Lost is one that is in no volume or in two, or that does not reach the void.
+// Tracks a particle to the void. A particle is lost if it is in no volume or in two volumes, or does not reach the
+// void.
 bool is_lost(const std::vector<cell>& cells, const scene::ray& start, long& events)
 {
     scene::ray ray = start;
@@ -189,13 +190,13 @@ int main(int count, char** arguments)
                 ray.direction[k] = aim[k] - ray.origin[k];
             }
             break;
-        case 1: // From one vertex to another: along edges, and within walls.
+        case 1: // Between vertices: along edges, and within walls.
             for (int k = 0; k < 3; k++) {
                 ray.origin[k] = from[k];
                 ray.direction[k] = aim[k] - from[k];
             }
             break;
-        default: // Anywhere.
+        default: // In a random direction.
             for (double& x : ray.direction) {
                 x = std::uniform_real_distribution<double>(-1, 1)(random);
             }

@@ -1,26 +1,25 @@
 /* libstackless: exact ray tracing on triangle meshes.
  *
- * Every answer is that of exact arithmetic for the numbers as they are, rounded once. Names that end with _d are of
- * double precision, those with _f of single precision. A scene of one precision takes rays, points and vertices of
- * that precision.
+ * Every answer is computed exactly from the given numbers, then rounded once. Names ending with _d have double
+ * precision, names ending with _f single precision. A scene takes rays, points and vertices of its precision.
  *
- * Pointers. Each is null, or points to as many values as the call says, which no other thread changes during the
- * call. Results need not be initialised, and may stand in one structure with the arguments, but must not overlap
- * them. A scene is one that this library made and that was not freed. This is all that the library cannot check. It
- * refuses null pointers (unless it says that they may be null, and but for arrays of 0 elements), misaligned
- * pointers, strides that are less than an element or would misalign one, sizes beyond the address space, numbers that
- * are not finite, indices without a vertex.
+ * Pointers. A pointer is null, or points to the number of values in the call. No other thread changes these values
+ * during the call. Results need not be initialised. They may be in one structure with the arguments, but must not
+ * overlap them. A scene must come from this library, and must not be freed. The library cannot check these conditions.
+ * It refuses null pointers (unless null is allowed, or the array has 0 elements), misaligned pointers, strides that
+ * are smaller than an element or would misalign one, sizes beyond the address space, numbers that are not finite, and
+ * indices without a vertex.
  *
  * Arrays. The stride is the distance in bytes from one element to the next: sizeof(stackless_ray_d) for an array of
  * rays.
  *
- * Threads. Any number of threads may query a scene at the same time, also while others build scenes. A scene must not
- * be in use while it is refitted or freed.
+ * Threads. Any number of threads may query a scene at the same time, also while other threads build scenes. A scene
+ * must not be in use while it is refitted or freed.
  *
- * Floats. Each thread that calls must round to nearest and keep subnormal numbers, as it does unless told otherwise
- * (_MM_SET_FLUSH_ZERO_MODE, -ffast-math); if not, calls fail with STACKLESS_ERROR_FLOAT_ENVIRONMENT.
+ * Floats. Each calling thread must round to nearest and keep subnormal numbers. This is the default;
+ * _MM_SET_FLUSH_ZERO_MODE and -ffast-math change it. Otherwise calls fail with STACKLESS_ERROR_FLOAT_ENVIRONMENT.
  *
- * cbindgen makes this file of crates/capi/src. */
+ * cbindgen generates this file from crates/capi/src. */
 
 #ifndef STACKLESS_H
 #define STACKLESS_H
@@ -29,25 +28,25 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// The index of no face: that of a ray that misses.
+// The index that means no face, for a ray that misses.
 #define STACKLESS_NO_FACE UINT32_MAX
 
-// How much time a build may take: a moderate time, and nearly the fastest queries.
+// Build quality: a moderate build time, and nearly the fastest queries.
 #define STACKLESS_QUALITY_STANDARD 0
 
-// A shorter build, and slower queries.
+// Build quality: a shorter build, and slower queries.
 #define STACKLESS_QUALITY_FAST 1
 
-// A longer build.
+// Build quality: a longer build.
 #define STACKLESS_QUALITY_HIGH 2
 
-// As standard, with triangles split between leaves where they are long and thin. It takes more memory.
+// Build quality: like standard, with long and thin triangles split between leaves. It takes more memory.
 #define STACKLESS_QUALITY_SPATIAL 3
 
-// A batch is answered by the calling thread.
+// The calling thread answers a batch.
 #define STACKLESS_SERIAL 0
 
-// A batch is answered by the threads of the scene. The answers are the same.
+// The threads of the scene answer a batch, with equal answers.
 #define STACKLESS_PARALLEL 1
 
 // Points with an odd number of crossings are inside. The mesh must be closed.
@@ -56,7 +55,7 @@
 // Points with a winding number other than 0 are inside. The mesh must be closed and oriented. Overlapping parts unite.
 #define STACKLESS_RULE_NONZERO 1
 
-// Points with a winding number above 1/2 are inside. Any mesh will do: where it has holes this is a good guess.
+// Points with a winding number above 1/2 are inside. Any mesh is suitable; near holes the result is a good guess.
 #define STACKLESS_RULE_WINDING 2
 
 // The point is outside.
@@ -68,8 +67,8 @@
 // The point is on a face, exactly.
 #define STACKLESS_SURFACE 2
 
-// What a function returns. After any but `STACKLESS_ERROR_NONE`, `stackless_error_message` says more, and what the
-// function should have written is unspecified.
+// The result of a function. After any code except `STACKLESS_ERROR_NONE`, `stackless_error_message` gives details, and
+// the outputs of the function are unspecified.
 typedef enum {
     // Success.
     STACKLESS_ERROR_NONE = 0,
@@ -77,22 +76,22 @@ typedef enum {
     STACKLESS_ERROR_INVALID_ARGUMENT = 1,
     // There is not enough memory, or no thread could be started.
     STACKLESS_ERROR_OUT_OF_MEMORY = 2,
-    // A thread does not compute as IEEE 754 says: it flushes subnormal numbers, or does not round to nearest.
+    // A thread violates IEEE 754: it flushes subnormal numbers, or does not round to nearest.
     STACKLESS_ERROR_FLOAT_ENVIRONMENT = 3,
     // A file cannot be read or written.
     STACKLESS_ERROR_FILE = 4,
     // Bytes are not a saved scene of this precision.
     STACKLESS_ERROR_INVALID_DATA = 5,
-    // The mesh is open or not oriented, and the function or the rule needs one that is.
+    // The mesh is open or not oriented, and the function or the rule needs a closed or an oriented mesh.
     STACKLESS_ERROR_UNSUITABLE_MESH = 6,
     // A bug in this library. Destroy the scene.
     STACKLESS_ERROR_INTERNAL = 7,
 } stackless_error;
 
-// A point that is known exactly: one of floats, or that of a hit. Any number of threads may use it at the same time.
+// An exact point: of floats, or of a hit. Any number of threads may use it at the same time.
 typedef struct stackless_point_d stackless_point_d;
 
-// A point that is known exactly: one of floats, or that of a hit. Any number of threads may use it at the same time.
+// An exact point: of floats, or of a hit. Any number of threads may use it at the same time.
 typedef struct stackless_point_f stackless_point_f;
 
 // A mesh with its hierarchy. Any number of threads may query it at the same time.
@@ -101,7 +100,7 @@ typedef struct stackless_scene_d stackless_scene_d;
 // A mesh with its hierarchy. Any number of threads may query it at the same time.
 typedef struct stackless_scene_f stackless_scene_f;
 
-// How a scene is built. All zeros are the defaults.
+// Options of a scene. All zeros are the defaults.
 typedef struct {
     // One of `STACKLESS_QUALITY_...`.
     uint32_t quality;
@@ -113,15 +112,15 @@ typedef struct {
 typedef struct {
     // Finite.
     double origin[3];
-    // The least distance of a hit, at least 0.
+    // The minimum distance of a hit, at least 0.
     double tmin;
-    // Finite, and not zero. It need not have length 1.
+    // Finite, nonzero. It need not have length 1.
     double direction[3];
-    // The greatest distance of a hit, at least `tmin`. May be infinite.
+    // The maximum distance of a hit, at least `tmin`. May be infinite.
     double tmax;
 } stackless_ray_d;
 
-// Where a ray meets a face.
+// The hit of a ray with a face.
 typedef struct {
     // Distance in lengths of the direction; infinite for a miss.
     double t;
@@ -133,43 +132,44 @@ typedef struct {
     uint32_t face;
 } stackless_hit_d;
 
-// The hits of a ray that count. A query finds the first of these. Faces that are masked or skipped are not tested.
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
 typedef struct {
-    // Hits of a face count if its mask and this one have a bit in common. All bits are set in the masks of a new scene.
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
     uint32_t mask;
-    // The index of a face whose hits do not count. May be null.
+    // The index of a face whose hits are not accepted. May be null.
     const uint32_t *skip;
-    // Returns whether a hit counts: for transparency, and for the sides of faces. May be null. `ray` is that of the call,
-    // where the program has it. The function must always return the same for a hit. It is called in no particular order,
-    // perhaps several times for one face, and by several threads at once in parallel batches. It must return: it must
-    // neither throw an exception nor jump. It may query scenes.
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may query scenes.
     bool (*accepts)(void *user, const stackless_ray_d *ray, const stackless_hit_d *hit);
     // Passed to `accepts`.
     void *user;
 } stackless_filter_d;
 
-// The point of the mesh that is nearest to another point.
+// The nearest point of the mesh.
 typedef struct {
-    // Where it is; NaN if there is none.
+    // Its coordinates; NaN if there is none.
     double point[3];
-    // How far away; infinite if there is none.
+    // Its distance; infinite if there is none.
     double distance;
     // Index of its face; `STACKLESS_NO_FACE` if there is none.
     uint32_t face;
 } stackless_near_d;
 
-// A ray that begins at an exact point, such as that of a hit.
+// A ray that starts at an exact point, such as the point of a hit.
 typedef struct {
-    // Where it begins.
+    // The start point.
     const stackless_point_d *origin;
-    // Where it ends, at t = 1. May be null: then the ray has this direction and this end.
+    // The end point, at t = 1. If null, the ray has the direction and the end below.
     const stackless_point_d *target;
-    // Finite, and not zero.
+    // Finite and nonzero.
     double direction[3];
-    // The greatest distance of a hit, at least 0. May be infinite.
+    // The maximum distance of a hit, at least 0. May be infinite.
     double tmax;
-    // Whether the ends count. If not, hits have 0 < t < tmax: the face that the ray leaves is not hit, nor any other face
-    // that contains the origin.
+    // Whether the ends belong to the ray. If not, hits have 0 < t < tmax: the ray does not hit the face that it
+    // leaves, nor any other face that contains the origin.
     bool is_closed;
 } stackless_exact_ray_d;
 
@@ -177,15 +177,15 @@ typedef struct {
 typedef struct {
     // Finite.
     float origin[3];
-    // The least distance of a hit, at least 0.
+    // The minimum distance of a hit, at least 0.
     float tmin;
-    // Finite, and not zero. It need not have length 1.
+    // Finite, nonzero. It need not have length 1.
     float direction[3];
-    // The greatest distance of a hit, at least `tmin`. May be infinite.
+    // The maximum distance of a hit, at least `tmin`. May be infinite.
     float tmax;
 } stackless_ray_f;
 
-// Where a ray meets a face.
+// The hit of a ray with a face.
 typedef struct {
     // Distance in lengths of the direction; infinite for a miss.
     float t;
@@ -197,43 +197,44 @@ typedef struct {
     uint32_t face;
 } stackless_hit_f;
 
-// The hits of a ray that count. A query finds the first of these. Faces that are masked or skipped are not tested.
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
 typedef struct {
-    // Hits of a face count if its mask and this one have a bit in common. All bits are set in the masks of a new scene.
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
     uint32_t mask;
-    // The index of a face whose hits do not count. May be null.
+    // The index of a face whose hits are not accepted. May be null.
     const uint32_t *skip;
-    // Returns whether a hit counts: for transparency, and for the sides of faces. May be null. `ray` is that of the call,
-    // where the program has it. The function must always return the same for a hit. It is called in no particular order,
-    // perhaps several times for one face, and by several threads at once in parallel batches. It must return: it must
-    // neither throw an exception nor jump. It may query scenes.
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may query scenes.
     bool (*accepts)(void *user, const stackless_ray_f *ray, const stackless_hit_f *hit);
     // Passed to `accepts`.
     void *user;
 } stackless_filter_f;
 
-// The point of the mesh that is nearest to another point.
+// The nearest point of the mesh.
 typedef struct {
-    // Where it is; NaN if there is none.
+    // Its coordinates; NaN if there is none.
     float point[3];
-    // How far away; infinite if there is none.
+    // Its distance; infinite if there is none.
     float distance;
     // Index of its face; `STACKLESS_NO_FACE` if there is none.
     uint32_t face;
 } stackless_near_f;
 
-// A ray that begins at an exact point, such as that of a hit.
+// A ray that starts at an exact point, such as the point of a hit.
 typedef struct {
-    // Where it begins.
+    // The start point.
     const stackless_point_f *origin;
-    // Where it ends, at t = 1. May be null: then the ray has this direction and this end.
+    // The end point, at t = 1. If null, the ray has the direction and the end below.
     const stackless_point_f *target;
-    // Finite, and not zero.
+    // Finite and nonzero.
     float direction[3];
-    // The greatest distance of a hit, at least 0. May be infinite.
+    // The maximum distance of a hit, at least 0. May be infinite.
     float tmax;
-    // Whether the ends count. If not, hits have 0 < t < tmax: the face that the ray leaves is not hit, nor any other face
-    // that contains the origin.
+    // Whether the ends belong to the ray. If not, hits have 0 < t < tmax: the ray does not hit the face that it
+    // leaves, nor any other face that contains the origin.
     bool is_closed;
 } stackless_exact_ray_f;
 
@@ -245,9 +246,9 @@ extern "C" {
 // expected value. Empty if no call has failed. Valid until the next failure of this thread.
 const char *stackless_error_message(void);
 
-// Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
-// both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
-// an error.
+// Builds a scene in double precision. Vertices and faces are copied. Strides are in bytes; the strides and addresses
+// of these arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null
+// after an error.
 stackless_error stackless_scene_new_d(const double *vertices,
                                       size_t vertex_stride,
                                       size_t vertex_count,
@@ -257,66 +258,66 @@ stackless_error stackless_scene_new_d(const double *vertices,
                                       const stackless_options *options,
                                       stackless_scene_d **scene);
 
-// Destroys a scene, which no thread may use any more. Null is ignored.
+// Destroys a scene. No thread may use it any more. Null is ignored.
 stackless_error stackless_scene_free_d(stackless_scene_d *scene);
 
-// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower
-// the more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
+// Moves the vertices. The faces and the number of vertices stay. Much faster than a new scene, but queries become
+// slower the more the vertices move relative to each other. No other thread may use the scene during the call.
 stackless_error stackless_scene_refit_d(stackless_scene_d *scene,
                                         const double *vertices,
                                         size_t vertex_stride,
                                         size_t vertex_count);
 
-// Gives each face a mask, which the filters of rays are compared with. Masks are not saved. No other thread may use the
-// scene meanwhile.
+// Sets the mask of each face. Filters of rays are compared with these masks. Masks are not saved. No other thread may
+// use the scene during the call.
 stackless_error stackless_scene_set_masks_d(stackless_scene_d *scene,
                                             const uint32_t *masks,
                                             size_t mask_stride,
                                             size_t face_count);
 
-// Writes the numbers of vertices and of faces. Each pointer but the first may be null.
+// Writes the numbers of vertices and of faces. Each pointer except the first may be null.
 stackless_error stackless_scene_counts_d(const stackless_scene_d *scene, size_t *vertex_count, size_t *face_count);
 
 // Writes the least and the greatest coordinates of the corners of faces, three numbers each.
 stackless_error stackless_scene_bounds_d(const stackless_scene_d *scene, double *lower, double *upper);
 
-// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of
+// Writes a scene to a file, atomically. The path is UTF-8. Files are portable between machines, and compatible with
 // the Python package.
 stackless_error stackless_scene_save_d(const stackless_scene_d *scene, const char *file);
 
-// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null
-// after an error.
+// Reads a scene from a file, and checks its content. `threads` is as in `stackless_options`. `*scene` is null after an
+// error.
 stackless_error stackless_scene_load_d(const char *file, uint32_t threads, stackless_scene_d **scene);
 
-// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it
-// with a capacity of 0; `bytes` may then be null.
+// Writes the bytes of a scene, up to the capacity. `size` receives the total number. With a capacity of 0, `bytes` may
+// be null.
 stackless_error stackless_scene_to_bytes_d(const stackless_scene_d *scene,
                                            uint8_t *bytes,
                                            size_t capacity,
                                            size_t *size);
 
-// Reads a scene from bytes, as `stackless_scene_load_d`.
+// Reads a scene from bytes, like `stackless_scene_load_d`.
 stackless_error stackless_scene_from_bytes_d(const uint8_t *bytes,
                                              size_t size,
                                              uint32_t threads,
                                              stackless_scene_d **scene);
 
-// Finds the closest hit of a ray: the least exact distance, and of equal ones the least index of a face. With a filter,
-// which may be null, the first hit that it accepts.
+// Finds the closest hit of a ray: the hit with the least exact distance, and of equal distances the least index of a
+// face. With a filter, which may be null, finds the first accepted hit.
 stackless_error stackless_closest1_d(const stackless_scene_d *scene,
                                      const stackless_ray_d *ray,
                                      const stackless_filter_d *filter,
                                      stackless_hit_d *hit);
 
-// Finds out whether a ray hits anything, with a filter anything that it accepts. It may be null.
+// Finds whether a ray has a hit; with a filter, which may be null, an accepted hit.
 stackless_error stackless_any1_d(const stackless_scene_d *scene,
                                  const stackless_ray_d *ray,
                                  const stackless_filter_d *filter,
                                  bool *is_hit);
 
-// Finds all hits of a ray, each face once, in the order of exact distances and then of indices; with a filter, which may
-// be null, those that it accepts. Writes the first ones, as many as there is room for, and to `count` how many there
-// are. With a capacity of 0, `hits` may be null.
+// Finds all hits of a ray, each face once, in the order of exact distances, then of indices. With a filter, which may
+// be null, finds all accepted hits. Writes the first hits, up to the capacity. `count` receives the total number. With
+// a capacity of 0, `hits` may be null.
 stackless_error stackless_all1_d(const stackless_scene_d *scene,
                                  const stackless_ray_d *ray,
                                  const stackless_filter_d *filter,
@@ -325,15 +326,15 @@ stackless_error stackless_all1_d(const stackless_scene_d *scene,
                                  size_t capacity,
                                  size_t *count);
 
-// Finds the first hit after another one of the same ray, in the order of `stackless_all1_d`. So a program can walk
-// from hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
+// Finds the first hit after another hit of the ray, in the order of `stackless_all1_d`. So a program can walk from hit
+// to hit: no hit is lost or repeated, however close the hits are. `after` and `hit` may point to the same hit.
 stackless_error stackless_next1_d(const stackless_scene_d *scene,
                                   const stackless_ray_d *ray,
                                   const stackless_hit_d *after,
                                   stackless_hit_d *hit);
 
-// Finds the closest hit of each ray, by `stackless_closest1_d`. `filters` may be null. There is one for each ray, or
-// with a stride of 0 one for all.
+// Finds the closest hit of each ray, by `stackless_closest1_d`. `filters` may be null. It has a filter for each ray;
+// with a stride of 0, one filter for all rays.
 stackless_error stackless_closest_n_d(const stackless_scene_d *scene,
                                       const stackless_ray_d *rays,
                                       size_t ray_stride,
@@ -344,7 +345,7 @@ stackless_error stackless_closest_n_d(const stackless_scene_d *scene,
                                       size_t hit_stride,
                                       uint32_t flags);
 
-// Finds out for each ray whether it hits anything, by `stackless_any1_d`. Filters are as in `stackless_closest_n_d`.
+// Finds whether each ray has a hit, by `stackless_any1_d`. Filters are as in `stackless_closest_n_d`.
 stackless_error stackless_any_n_d(const stackless_scene_d *scene,
                                   const stackless_ray_d *rays,
                                   size_t ray_stride,
@@ -355,7 +356,8 @@ stackless_error stackless_any_n_d(const stackless_scene_d *scene,
                                   size_t is_hit_stride,
                                   uint32_t flags);
 
-// Counts how often each ray crosses a closed mesh. A crossing at an edge or a vertex is one, and touching is none.
+// Counts how often each ray crosses a closed mesh. A crossing at an edge or a vertex counts once, and touching does
+// not count.
 stackless_error stackless_crossings_n_d(const stackless_scene_d *scene,
                                         const stackless_ray_d *rays,
                                         size_t ray_stride,
@@ -364,9 +366,9 @@ stackless_error stackless_crossings_n_d(const stackless_scene_d *scene,
                                         size_t crossing_stride,
                                         uint32_t flags);
 
-// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`,
+// Classifies each point, given by three numbers, as inside, outside or on a face: `STACKLESS_INSIDE`,
 // `STACKLESS_OUTSIDE` or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit
-// looks at all edges.
+// examines all edges.
 stackless_error stackless_locate_n_d(const stackless_scene_d *scene,
                                      const double *points,
                                      size_t point_stride,
@@ -376,8 +378,8 @@ stackless_error stackless_locate_n_d(const stackless_scene_d *scene,
                                      size_t location_stride,
                                      uint32_t flags);
 
-// Measures how far each point, three numbers, is from the mesh: the exact distance, rounded once, and negative inside
-// by a rule `STACKLESS_RULE_...`.
+// Computes the distance of each point, given by three numbers, from the mesh. It is exact, then rounded once, and
+// negative inside by a rule `STACKLESS_RULE_...`.
 stackless_error stackless_signed_distances_n_d(const stackless_scene_d *scene,
                                                const double *points,
                                                size_t point_stride,
@@ -387,8 +389,8 @@ stackless_error stackless_signed_distances_n_d(const stackless_scene_d *scene,
                                                size_t distance_stride,
                                                uint32_t flags);
 
-// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
-// be infinite. Of equally near faces it is the one of the least index.
+// Finds the point of the mesh that is nearest to each point, given by three numbers, within the radius, which may be
+// infinite. Of equally near faces it returns the face with the least index.
 stackless_error stackless_nearest_n_d(const stackless_scene_d *scene,
                                       const double *points,
                                       size_t point_stride,
@@ -398,8 +400,9 @@ stackless_error stackless_nearest_n_d(const stackless_scene_d *scene,
                                       size_t near_stride,
                                       uint32_t flags);
 
-// Finds the faces that are nearest to a point, three numbers, and no farther than the radius, which may be infinite: the
-// first `capacity` ones in the order of distances and then of indices. Writes to `count` how many it has found.
+// Finds the faces that are nearest to a point, given by three numbers, within the radius, which may be infinite.
+// Writes the first `capacity` faces in the order of distances, then of indices. `count` receives the number of written
+// faces.
 stackless_error stackless_nearest_k1_d(const stackless_scene_d *scene,
                                        const double *point,
                                        double radius,
@@ -408,31 +411,31 @@ stackless_error stackless_nearest_k1_d(const stackless_scene_d *scene,
                                        size_t capacity,
                                        size_t *count);
 
-// Makes an exact point of three numbers. `*point` is null after an error.
+// Creates an exact point from three numbers. `*point` is null after an error.
 stackless_error stackless_point_new_d(const double *coordinates, stackless_point_d **point);
 
-// Makes the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
+// Creates the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
 stackless_error stackless_point_of_hit_d(const stackless_scene_d *scene,
                                          const stackless_ray_d *ray,
                                          uint32_t face,
                                          stackless_point_d **point);
 
-// Destroys a point, which no thread may use any more. Null is ignored. Rays that began there do not need it.
+// Destroys a point. No thread may use it any more. Null is ignored. Rays that started there do not need it.
 stackless_error stackless_point_free_d(stackless_point_d *point);
 
-// Finds the closest hit of a ray that begins at an exact point, and makes the exact point of the hit: the next ray may
-// begin there. `point` may be null. `*point` is null after a miss and after an error.
+// Finds the closest hit of a ray that starts at an exact point, and creates the exact point of the hit, at which the
+// next ray may start. `point` may be null. `*point` is null after a miss and after an error.
 stackless_error stackless_exact_closest1_d(const stackless_scene_d *scene,
                                            const stackless_exact_ray_d *ray,
                                            stackless_hit_d *hit,
                                            stackless_point_d **point);
 
-// Finds out whether a ray that begins at an exact point hits anything.
+// Finds whether a ray that starts at an exact point hits any face.
 stackless_error stackless_exact_any1_d(const stackless_scene_d *scene, const stackless_exact_ray_d *ray, bool *is_hit);
 
-// Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
-// both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
-// an error.
+// Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; the strides and addresses
+// of these arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null
+// after an error.
 stackless_error stackless_scene_new_f(const float *vertices,
                                       size_t vertex_stride,
                                       size_t vertex_count,
@@ -442,66 +445,66 @@ stackless_error stackless_scene_new_f(const float *vertices,
                                       const stackless_options *options,
                                       stackless_scene_f **scene);
 
-// Destroys a scene, which no thread may use any more. Null is ignored.
+// Destroys a scene. No thread may use it any more. Null is ignored.
 stackless_error stackless_scene_free_f(stackless_scene_f *scene);
 
-// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower
-// the more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
+// Moves the vertices. The faces and the number of vertices stay. Much faster than a new scene, but queries become
+// slower the more the vertices move relative to each other. No other thread may use the scene during the call.
 stackless_error stackless_scene_refit_f(stackless_scene_f *scene,
                                         const float *vertices,
                                         size_t vertex_stride,
                                         size_t vertex_count);
 
-// Gives each face a mask, which the filters of rays are compared with. Masks are not saved. No other thread may use the
-// scene meanwhile.
+// Sets the mask of each face. Filters of rays are compared with these masks. Masks are not saved. No other thread may
+// use the scene during the call.
 stackless_error stackless_scene_set_masks_f(stackless_scene_f *scene,
                                             const uint32_t *masks,
                                             size_t mask_stride,
                                             size_t face_count);
 
-// Writes the numbers of vertices and of faces. Each pointer but the first may be null.
+// Writes the numbers of vertices and of faces. Each pointer except the first may be null.
 stackless_error stackless_scene_counts_f(const stackless_scene_f *scene, size_t *vertex_count, size_t *face_count);
 
 // Writes the least and the greatest coordinates of the corners of faces, three numbers each.
 stackless_error stackless_scene_bounds_f(const stackless_scene_f *scene, float *lower, float *upper);
 
-// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of
+// Writes a scene to a file, atomically. The path is UTF-8. Files are portable between machines, and compatible with
 // the Python package.
 stackless_error stackless_scene_save_f(const stackless_scene_f *scene, const char *file);
 
-// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null
-// after an error.
+// Reads a scene from a file, and checks its content. `threads` is as in `stackless_options`. `*scene` is null after an
+// error.
 stackless_error stackless_scene_load_f(const char *file, uint32_t threads, stackless_scene_f **scene);
 
-// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it
-// with a capacity of 0; `bytes` may then be null.
+// Writes the bytes of a scene, up to the capacity. `size` receives the total number. With a capacity of 0, `bytes` may
+// be null.
 stackless_error stackless_scene_to_bytes_f(const stackless_scene_f *scene,
                                            uint8_t *bytes,
                                            size_t capacity,
                                            size_t *size);
 
-// Reads a scene from bytes, as `stackless_scene_load_f`.
+// Reads a scene from bytes, like `stackless_scene_load_f`.
 stackless_error stackless_scene_from_bytes_f(const uint8_t *bytes,
                                              size_t size,
                                              uint32_t threads,
                                              stackless_scene_f **scene);
 
-// Finds the closest hit of a ray: the least exact distance, and of equal ones the least index of a face. With a filter,
-// which may be null, the first hit that it accepts.
+// Finds the closest hit of a ray: the hit with the least exact distance, and of equal distances the least index of a
+// face. With a filter, which may be null, finds the first accepted hit.
 stackless_error stackless_closest1_f(const stackless_scene_f *scene,
                                      const stackless_ray_f *ray,
                                      const stackless_filter_f *filter,
                                      stackless_hit_f *hit);
 
-// Finds out whether a ray hits anything, with a filter anything that it accepts. It may be null.
+// Finds whether a ray has a hit; with a filter, which may be null, an accepted hit.
 stackless_error stackless_any1_f(const stackless_scene_f *scene,
                                  const stackless_ray_f *ray,
                                  const stackless_filter_f *filter,
                                  bool *is_hit);
 
-// Finds all hits of a ray, each face once, in the order of exact distances and then of indices; with a filter, which may
-// be null, those that it accepts. Writes the first ones, as many as there is room for, and to `count` how many there
-// are. With a capacity of 0, `hits` may be null.
+// Finds all hits of a ray, each face once, in the order of exact distances, then of indices. With a filter, which may
+// be null, finds all accepted hits. Writes the first hits, up to the capacity. `count` receives the total number. With
+// a capacity of 0, `hits` may be null.
 stackless_error stackless_all1_f(const stackless_scene_f *scene,
                                  const stackless_ray_f *ray,
                                  const stackless_filter_f *filter,
@@ -510,15 +513,15 @@ stackless_error stackless_all1_f(const stackless_scene_f *scene,
                                  size_t capacity,
                                  size_t *count);
 
-// Finds the first hit after another one of the same ray, in the order of `stackless_all1_f`. So a program can walk
-// from hit to hit: none is lost or met again, however close they are. `after` and `hit` may be the same.
+// Finds the first hit after another hit of the ray, in the order of `stackless_all1_f`. So a program can walk from hit
+// to hit: no hit is lost or repeated, however close the hits are. `after` and `hit` may point to the same hit.
 stackless_error stackless_next1_f(const stackless_scene_f *scene,
                                   const stackless_ray_f *ray,
                                   const stackless_hit_f *after,
                                   stackless_hit_f *hit);
 
-// Finds the closest hit of each ray, by `stackless_closest1_f`. `filters` may be null. There is one for each ray, or
-// with a stride of 0 one for all.
+// Finds the closest hit of each ray, by `stackless_closest1_f`. `filters` may be null. It has a filter for each ray;
+// with a stride of 0, one filter for all rays.
 stackless_error stackless_closest_n_f(const stackless_scene_f *scene,
                                       const stackless_ray_f *rays,
                                       size_t ray_stride,
@@ -529,7 +532,7 @@ stackless_error stackless_closest_n_f(const stackless_scene_f *scene,
                                       size_t hit_stride,
                                       uint32_t flags);
 
-// Finds out for each ray whether it hits anything, by `stackless_any1_f`. Filters are as in `stackless_closest_n_f`.
+// Finds whether each ray has a hit, by `stackless_any1_f`. Filters are as in `stackless_closest_n_f`.
 stackless_error stackless_any_n_f(const stackless_scene_f *scene,
                                   const stackless_ray_f *rays,
                                   size_t ray_stride,
@@ -540,7 +543,8 @@ stackless_error stackless_any_n_f(const stackless_scene_f *scene,
                                   size_t is_hit_stride,
                                   uint32_t flags);
 
-// Counts how often each ray crosses a closed mesh. A crossing at an edge or a vertex is one, and touching is none.
+// Counts how often each ray crosses a closed mesh. A crossing at an edge or a vertex counts once, and touching does
+// not count.
 stackless_error stackless_crossings_n_f(const stackless_scene_f *scene,
                                         const stackless_ray_f *rays,
                                         size_t ray_stride,
@@ -549,9 +553,9 @@ stackless_error stackless_crossings_n_f(const stackless_scene_f *scene,
                                         size_t crossing_stride,
                                         uint32_t flags);
 
-// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`,
+// Classifies each point, given by three numbers, as inside, outside or on a face: `STACKLESS_INSIDE`,
 // `STACKLESS_OUTSIDE` or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit
-// looks at all edges.
+// examines all edges.
 stackless_error stackless_locate_n_f(const stackless_scene_f *scene,
                                      const float *points,
                                      size_t point_stride,
@@ -561,8 +565,8 @@ stackless_error stackless_locate_n_f(const stackless_scene_f *scene,
                                      size_t location_stride,
                                      uint32_t flags);
 
-// Measures how far each point, three numbers, is from the mesh: the exact distance, rounded once, and negative inside
-// by a rule `STACKLESS_RULE_...`.
+// Computes the distance of each point, given by three numbers, from the mesh. It is exact, then rounded once, and
+// negative inside by a rule `STACKLESS_RULE_...`.
 stackless_error stackless_signed_distances_n_f(const stackless_scene_f *scene,
                                                const float *points,
                                                size_t point_stride,
@@ -572,8 +576,8 @@ stackless_error stackless_signed_distances_n_f(const stackless_scene_f *scene,
                                                size_t distance_stride,
                                                uint32_t flags);
 
-// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
-// be infinite. Of equally near faces it is the one of the least index.
+// Finds the point of the mesh that is nearest to each point, given by three numbers, within the radius, which may be
+// infinite. Of equally near faces it returns the face with the least index.
 stackless_error stackless_nearest_n_f(const stackless_scene_f *scene,
                                       const float *points,
                                       size_t point_stride,
@@ -583,8 +587,9 @@ stackless_error stackless_nearest_n_f(const stackless_scene_f *scene,
                                       size_t near_stride,
                                       uint32_t flags);
 
-// Finds the faces that are nearest to a point, three numbers, and no farther than the radius, which may be infinite: the
-// first `capacity` ones in the order of distances and then of indices. Writes to `count` how many it has found.
+// Finds the faces that are nearest to a point, given by three numbers, within the radius, which may be infinite.
+// Writes the first `capacity` faces in the order of distances, then of indices. `count` receives the number of written
+// faces.
 stackless_error stackless_nearest_k1_f(const stackless_scene_f *scene,
                                        const float *point,
                                        float radius,
@@ -593,26 +598,26 @@ stackless_error stackless_nearest_k1_f(const stackless_scene_f *scene,
                                        size_t capacity,
                                        size_t *count);
 
-// Makes an exact point of three numbers. `*point` is null after an error.
+// Creates an exact point from three numbers. `*point` is null after an error.
 stackless_error stackless_point_new_f(const float *coordinates, stackless_point_f **point);
 
-// Makes the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
+// Creates the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
 stackless_error stackless_point_of_hit_f(const stackless_scene_f *scene,
                                          const stackless_ray_f *ray,
                                          uint32_t face,
                                          stackless_point_f **point);
 
-// Destroys a point, which no thread may use any more. Null is ignored. Rays that began there do not need it.
+// Destroys a point. No thread may use it any more. Null is ignored. Rays that started there do not need it.
 stackless_error stackless_point_free_f(stackless_point_f *point);
 
-// Finds the closest hit of a ray that begins at an exact point, and makes the exact point of the hit: the next ray may
-// begin there. `point` may be null. `*point` is null after a miss and after an error.
+// Finds the closest hit of a ray that starts at an exact point, and creates the exact point of the hit, at which the
+// next ray may start. `point` may be null. `*point` is null after a miss and after an error.
 stackless_error stackless_exact_closest1_f(const stackless_scene_f *scene,
                                            const stackless_exact_ray_f *ray,
                                            stackless_hit_f *hit,
                                            stackless_point_f **point);
 
-// Finds out whether a ray that begins at an exact point hits anything.
+// Finds whether a ray that starts at an exact point hits any face.
 stackless_error stackless_exact_any1_f(const stackless_scene_f *scene, const stackless_exact_ray_f *ray, bool *is_hit);
 
 #ifdef __cplusplus

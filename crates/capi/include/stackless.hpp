@@ -1,4 +1,4 @@
-// libstackless for C++17: scenes that free themselves, containers, exceptions. What the functions do: stackless.h.
+// libstackless for C++17: owning scenes, containers, exceptions. stackless.h documents the functions.
 #ifndef STACKLESS_HPP
 #define STACKLESS_HPP
 
@@ -19,7 +19,7 @@
 
 namespace stackless {
 
-// A call that failed. `what` names the element, what was found and what was expected.
+// A failed call. `what` names the element, the found value and the expected value.
 class error : public std::runtime_error {
 public:
     explicit error(stackless_error code) : std::runtime_error(stackless_error_message()), code_(code) {}
@@ -48,7 +48,7 @@ enum class location : std::uint8_t {
     surface = STACKLESS_SURFACE,
 };
 
-// Who answers a batch.
+// The threads that answer a batch.
 enum class threads : std::uint32_t { one = STACKLESS_SERIAL, all = STACKLESS_PARALLEL };
 
 // The types and functions of a precision.
@@ -94,7 +94,7 @@ STACKLESS_FUNCTIONS(float, f)
 STACKLESS_FUNCTIONS(double, d)
 #undef STACKLESS_FUNCTIONS
 
-// A point that is not rounded, such as that of a hit.
+// An exact point, such as the point of a hit.
 template <class Real> class exact_point {
     using call = functions<Real>;
     using handle = typename call::point;
@@ -107,7 +107,7 @@ public:
         handle_.reset(made);
     }
 
-    // Takes a point that a function of stackless.h has made.
+    // Takes ownership of a point that a function of stackless.h has created.
     explicit exact_point(handle* made) : handle_(made) {}
 
     const handle* get() const noexcept { return handle_.get(); }
@@ -121,7 +121,7 @@ private:
 };
 
 // A mesh with its hierarchy, in the precision `Real`: float or double. Threads may call its const functions at the same
-// time. Containers are contiguous: vectors, arrays, spans. Vertices, points and faces are structures that begin with
+// time. Containers are contiguous: vectors, arrays, spans. Vertices, points and faces are structures that start with
 // three numbers, such as `std::array<double, 3>` and `std::array<std::uint32_t, 3>`.
 template <class Real> class scene {
     using call = functions<Real>;
@@ -135,7 +135,7 @@ public:
     using filter = typename call::filter;
     using exact_ray = typename call::exact_ray;
 
-    // A hit, and the point from which the next ray may begin.
+    // A hit, with the point at which the next ray may start.
     struct exact_hit {
         hit found;
         exact_point<Real> point;
@@ -180,13 +180,13 @@ public:
         check(call::refit(handle_.get(), numbers<Real>(vertices), stride(vertices), std::size(vertices)));
     }
 
-    // One for each face.
+    // A mask for each face.
     void set_masks(const std::vector<std::uint32_t>& masks)
     {
         check(call::set_masks(handle_.get(), masks.data(), sizeof(masks[0]), masks.size()));
     }
 
-    // A filter that asks `accepts(ray, hit)`, which must be pure and not throw, and is not copied.
+    // A filter that calls `accepts(ray, hit)`, which must be pure and must not throw. It is not copied.
     template <class Accepts>
     static filter accepting(Accepts& accepts, std::uint32_t mask = UINT32_MAX, const std::uint32_t* skip = nullptr)
     {
@@ -268,7 +268,7 @@ public:
         return found;
     }
 
-    // Of a miss the face is STACKLESS_NO_FACE. A filter is for all rays.
+    // The face of a miss is STACKLESS_NO_FACE. A filter applies to all rays.
     template <class Rays>
     std::vector<hit> closest_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
     {
@@ -278,7 +278,7 @@ public:
         return hits;
     }
 
-    // 1 for each ray that hits, else 0.
+    // 1 for each ray that hits, otherwise 0.
     template <class Rays>
     std::vector<std::uint8_t> any_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
     {
@@ -333,7 +333,7 @@ public:
         return nears;
     }
 
-    // The nearest faces, at most so many, in order.
+    // The nearest faces in order, at most `most`.
     std::vector<nearest_point> nearest_k(const point& p, Real radius, std::size_t most) const
     {
         std::size_t count = std::min(most, face_count());
@@ -343,7 +343,7 @@ public:
         return nears;
     }
 
-    // For the functions of stackless.h.
+    // For calls of the functions of stackless.h.
     const handle* get() const noexcept { return handle_.get(); }
 
 private:
@@ -371,7 +371,7 @@ private:
         return std::data(rays);
     }
 
-    // The first of the numbers that the items begin with.
+    // The first number of the first item. Items start with their numbers.
     template <class Number, class Items> static const Number* numbers(const Items& items)
     {
         using type = item<Items>;

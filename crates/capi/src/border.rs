@@ -17,21 +17,21 @@ thread_local! {
 #[allow(unsafe_code, reason = "its name is exported")]
 #[unsafe(no_mangle)]
 pub extern "C" fn stackless_error_message() -> *const c_char {
-    // Null only while the thread ends.
+    // Null only during thread exit.
     MESSAGE.try_with(|message| message.borrow().as_ptr()).unwrap_or(ptr::null())
 }
 
 /// Does the work of a call, and returns its code.
 pub(crate) fn answer(work: impl FnOnce() -> Result<(), Fault>) -> Error {
-    // A scene that was being changed is to be destroyed, as the header says of this code.
+    // After this code the header tells callers to destroy the scene, so a half-changed scene is acceptable.
     let fault = match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(())) => return Error::None,
         Ok(Err(fault)) => fault,
         Err(panic) => Fault::new(Error::Internal, format!("a bug in this library: {}", text(&*panic))),
     };
-    // None of our messages has a zero byte.
+    // No message of this library has a zero byte.
     let message = CString::new(fault.message).unwrap_or_default();
-    // While the thread ends there is no place for the message, and nobody to read it.
+    // During thread exit there is no place for the message.
     drop(MESSAGE.try_with(|kept| kept.replace(message)));
     fault.error
 }

@@ -1,4 +1,4 @@
-//! Errors: a code for the program, and a message for the reader that names the element.
+//! Errors: a code for the program, and a message that names the element.
 
 use stackless_bvh::bvh::{BuildError, RefitError, WideError};
 use stackless_bvh::geom::{BallError, EnvironmentError, MeshError, RayError};
@@ -7,8 +7,8 @@ use stackless_scene::SavedError;
 
 use crate::memory::Element;
 
-/// What a function returns. After any but `STACKLESS_ERROR_NONE`, `stackless_error_message` says more, and what the
-/// function should have written is unspecified.
+/// The result of a function. After any code except `STACKLESS_ERROR_NONE`, `stackless_error_message` gives details, and
+/// the outputs of the function are unspecified.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
@@ -18,13 +18,13 @@ pub enum Error {
     InvalidArgument = 1,
     /// There is not enough memory, or no thread could be started.
     OutOfMemory = 2,
-    /// A thread does not compute as IEEE 754 says: it flushes subnormal numbers, or does not round to nearest.
+    /// A thread violates IEEE 754: it flushes subnormal numbers, or does not round to nearest.
     FloatEnvironment = 3,
     /// A file cannot be read or written.
     File = 4,
     /// Bytes are not a saved scene of this precision.
     InvalidData = 5,
-    /// The mesh is open or not oriented, and the function or the rule needs one that is.
+    /// The mesh is open or not oriented, and the function or the rule needs a closed or an oriented mesh.
     UnsuitableMesh = 6,
     /// A bug in this library. Destroy the scene.
     Internal = 7,

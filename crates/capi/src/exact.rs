@@ -1,4 +1,4 @@
-//! Rays that begin at exact points, safe.
+//! Rays that start at exact points, without `unsafe`.
 
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, RayError, Triangle};
@@ -10,11 +10,11 @@ use crate::queries::{Rays, Real, checked, hit};
 use crate::scene::Scene;
 use crate::types::Hit;
 
-/// A point that is known exactly: one of floats, or that of a hit. Any number of threads may use it at the same time.
+/// An exact point: of floats, or of a hit. Any number of threads may use it at the same time.
 #[derive(Debug)]
 pub struct Point<V: Precision>(ExactPoint<V>);
 
-/// An exact ray of the caller: its ends are pointers no more.
+/// An exact ray of the caller, with checked references instead of pointers.
 #[derive(Debug)]
 pub(crate) struct Way<'a, V: Precision> {
     pub(crate) origin: &'a Point<V>,
@@ -50,7 +50,7 @@ impl<V: Precision> Scene<V> {
         point.map(Point).ok_or_else(|| Fault::argument(format!("face: the ray does not hit face {face}")))
     }
 
-    /// The closest hit, with its point where that is wanted.
+    /// The closest hit, with its point on request.
     pub(crate) fn exact_closest1(&self, way: &Way<'_, V>, with_point: bool) -> Result<HitAndPoint<V>, Fault> {
         let (ray, tracer) = (way.ray()?, self.exact_tracer()?);
         let (found, point) = if with_point {

@@ -8,12 +8,11 @@ use crate::error::Fault;
 use crate::memory::{In, shared};
 use crate::types::{Filter, Hit, Ray};
 
-/// The filters of an array of rays: one for each, one for all, or none.
+/// The filters of an array of rays: one for each ray, one for all rays, or none.
 #[derive(Debug)]
 pub(crate) struct Filters<'a, R>(Option<In<'a, Filter<R>>>);
 
-// SAFETY: filters are only read, and so is what they point to; the header requires functions that several threads may
-// call.
+// SAFETY: filters and their pointers are only read; the header requires functions that several threads may call.
 unsafe impl<R: Sync> Sync for Filters<'_, R> {}
 
 /// The filter of one ray.
@@ -36,16 +35,17 @@ struct Call<R> {
 unsafe impl<R: Sync> Sync for Call<R> {}
 
 impl<R: Copy> Filters<'_, R> {
-    /// Filters that are `stride` bytes apart, or with a stride of 0 one for all. None if the pointer is null.
+    /// Filters that are `stride` bytes apart; with a stride of 0 one filter for all rays. `None` if the pointer is
+    /// null.
     ///
     /// # Safety
-    /// As [`In::new`]. Each `skip` is null, misaligned, or points to a number; each `accepts` is null, or a function as
-    /// the header requires, for this `user`.
+    /// See [`In::new`]. Each `skip` is null, misaligned, or points to a number. Each `accepts` is null, or a function
+    /// that meets the header's requirements with this `user`.
     pub(crate) unsafe fn new(first: *const Filter<R>, stride: usize, count: usize) -> Result<Self, Fault> {
         if first.is_null() {
             return Ok(Self(None));
         }
-        // SAFETY: as the caller promises.
+        // SAFETY: the caller guarantees the requirements.
         let filters = unsafe {
             if stride == 0 { In::repeated("filter", first, count)? } else { In::new("filters", first, stride, count)? }
         };
@@ -60,7 +60,7 @@ impl<R: Copy> Filters<'_, R> {
     pub(crate) fn get(&self, index: usize, rays: &In<'_, Ray<R>>) -> Result<Option<OneFilter<R>>, Fault> {
         let Some(filters) = &self.0 else { return Ok(None) };
         let Filter { mask, skip, accepts, user } = filters.get(index);
-        // SAFETY: `new` requires that it points to a number, if it is neither null nor misaligned.
+        // SAFETY: `new` requires that the pointer is null, misaligned, or points to a number.
         let skip = if skip.is_null() { None } else { Some(*unsafe { shared(skip, "filter.skip") }?) };
         let ray = rays.pointer(index);
         Ok(Some(OneFilter { mask, skip, call: accepts.map(|accepts| Call { accepts, user, ray }) }))
@@ -68,7 +68,7 @@ impl<R: Copy> Filters<'_, R> {
 }
 
 impl<R: Copy + Sync> OneFilter<R> {
-    /// Asks a query with the filter, where faces have these masks. Faces without one have all bits.
+    /// Runs a query with the filter. `masks` are the masks of the faces; if empty, all bits are set.
     pub(crate) fn ask<A>(&self, masks: &[u32], query: impl FnOnce(Chooses<'_, R>) -> A) -> A {
         let is_seen =
             |face: u32| masks.get(face as usize).is_none_or(|mask| mask & self.mask != 0) && self.skip != Some(face);
@@ -82,7 +82,7 @@ impl<R: Copy + Sync> OneFilter<R> {
 impl<R: Copy> Call<R> {
     fn accepts(&self, &Found { prim, t, u, v }: &Found<R>) -> bool {
         let hit = Hit { t, u, v, face: prim };
-        // SAFETY: `Filters::new` requires a function that may be called so; ray and hit are there during the call.
+        // SAFETY: `Filters::new` requires a function that supports this call; ray and hit outlive the call.
         unsafe { (self.accepts)(self.user, self.ray, &raw const hit) }
     }
 }

@@ -1,7 +1,8 @@
-//! The library for C and C++. `include/stackless.h` is its documentation, which cbindgen makes of this crate.
+//! The library for C and C++. Its documentation is `include/stackless.h`, which cbindgen generates from this crate.
 //!
-//! [`double`] and [`single`] have the functions that C calls. They turn pointers into values by [`memory`] and [`filters`],
-//! the only other modules with `unsafe`, and call [`queries`], [`exact`] and [`scene`], which are safe.
+//! [`double`] and [`single`] have the functions that C calls. [`memory`] and [`filters`], the only other modules with
+//! `unsafe`, convert their pointers to values. The functions then call [`queries`], [`exact`] and [`scene`], which are
+//! safe.
 
 #![deny(unsafe_code)]
 

@@ -1,7 +1,7 @@
-//! Memory of the caller: checked pointers, and arrays whose elements are a stride apart.
+//! Memory of the caller: checked pointers, and arrays with strides.
 //!
-//! The header states the duties of the caller: pointers are null or point to as many elements as the call says, and no
-//! other thread changes these elements during the call. This module checks the rest.
+//! The header states the duties of the caller: a pointer is null or points to the number of elements in the call, and
+//! no other thread changes these elements during the call. This module checks all other requirements.
 
 use std::ffi::{CStr, c_char};
 use std::fmt;
@@ -13,15 +13,15 @@ use rayon::prelude::*;
 
 use crate::error::Fault;
 
-/// Elements that a thread takes at once, as in the library.
+/// Number of elements that a thread takes at once, as in the library.
 const PIECE: usize = 256;
 
-/// A value at any address: its alignment is 1.
+/// A value at any address. Its alignment is 1.
 #[repr(C, packed)]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Anywhere<T>(pub(crate) T);
 
-/// The name of an argument, and which element of it is meant.
+/// The name of an argument, and optionally the index of an element.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Element {
     name: &'static str,
@@ -29,7 +29,7 @@ pub(crate) struct Element {
 }
 
 impl Element {
-    /// A single one.
+    /// A single element.
     pub(crate) const fn of(name: &'static str) -> Self {
         Self { name, index: None }
     }
@@ -42,44 +42,44 @@ impl fmt::Display for Element {
     }
 }
 
-/// Checks a pointer to something that C got from this library.
+/// Checks a pointer to an object of this library.
 ///
 /// # Safety
-/// If it is neither null nor misaligned, it points to a `T` that nothing changes during `'a`.
+/// If the pointer is neither null nor misaligned, it points to a `T` that does not change during `'a`.
 pub(crate) unsafe fn shared<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Fault> {
     check(pointer, name)?;
-    // SAFETY: it is neither null nor misaligned, and so this is what the caller promises.
+    // SAFETY: the pointer is neither null nor misaligned, so the caller's guarantee applies.
     Ok(unsafe { &*pointer })
 }
 
-/// The same, for something that is to be changed.
+/// Checks a pointer to an object that is to be changed.
 ///
 /// # Safety
-/// If it is neither null nor misaligned, it points to a `T` that nothing else uses during `'a`.
+/// If the pointer is neither null nor misaligned, it points to a `T` with no other use during `'a`.
 pub(crate) unsafe fn exclusive<'a, T>(pointer: *mut T, name: &'static str) -> Result<&'a mut T, Fault> {
     check(pointer, name)?;
-    // SAFETY: it is neither null nor misaligned, and so this is what the caller promises.
+    // SAFETY: the pointer is neither null nor misaligned, so the caller's guarantee applies.
     Ok(unsafe { &mut *pointer })
 }
 
-/// A path that ends with a zero byte.
+/// Reads a path that ends with a zero byte.
 ///
 /// # Safety
-/// If it is not null, there is such a text during `'a`, and nothing changes it.
+/// If the pointer is not null, it points to such a text, which does not change during `'a`.
 pub(crate) unsafe fn path<'a>(pointer: *const c_char, name: &'static str) -> Result<&'a Path, Fault> {
     check(pointer, name)?;
-    // SAFETY: it is not null, and so this is what the caller promises.
+    // SAFETY: the pointer is not null, so the caller's guarantee applies.
     let text = unsafe { CStr::from_ptr(pointer) };
     let text = text.to_str().map_err(|error| Fault::argument(format!("{name}: {error}, expected UTF-8")))?;
     Ok(Path::new(text))
 }
 
-/// Values that follow each other, to be written.
+/// An output array of consecutive values.
 ///
 /// # Safety
-/// As [`Out::new`].
+/// See [`Out::new`].
 pub(crate) unsafe fn values<'a, T: Copy>(name: &'static str, first: *mut T, count: usize) -> Result<Out<'a, T>, Fault> {
-    // SAFETY: as the caller promises.
+    // SAFETY: the caller guarantees the requirements.
     unsafe { Out::new(name, first, size_of::<T>(), count) }
 }
 
@@ -96,7 +96,7 @@ fn refused<T>(pointer: *const T, name: &str) -> Fault {
     Fault::argument(format!("{name}: address {pointer:p}, expected a multiple of {}", align_of::<T>()))
 }
 
-/// Where elements are: the first, and how many bytes it is from each to the next.
+/// The layout of elements: the first address, the stride in bytes, and the count.
 #[derive(Debug)]
 struct Layout {
     stride: usize,
@@ -104,7 +104,7 @@ struct Layout {
 }
 
 impl Layout {
-    /// Checks strides and sizes. The pointer may be null if there are no elements.
+    /// Checks strides and sizes. Without elements the pointer may be null.
     fn new<T>(name: &str, pointer: *const T, stride: usize, count: usize) -> Result<Self, Fault> {
         if count == 0 {
             return Ok(Self { stride, count });
@@ -115,7 +115,7 @@ impl Layout {
             let expected = format!("expected a multiple of {alignment} that is at least {size}");
             return Err(Fault::argument(format!("stride of {name}: {stride}, {expected}")));
         }
-        // No object is larger, and no offset within it may overflow.
+        // An object is never larger, and offsets within it must not overflow.
         let bytes = stride.checked_mul(count - 1).and_then(|bytes| bytes.checked_add(size));
         if bytes.is_none_or(|bytes| bytes > isize::MAX as usize || pointer.addr().checked_add(bytes).is_none()) {
             let expected = "expected an array within the address space";
@@ -124,7 +124,7 @@ impl Layout {
         Ok(Self { stride, count })
     }
 
-    /// That of one element.
+    /// The layout of one element.
     fn one<T>() -> Self {
         Self { stride: size_of::<T>(), count: 1 }
     }
@@ -136,7 +136,7 @@ impl Layout {
     }
 }
 
-/// An array of the caller, to be read.
+/// An input array of the caller.
 #[derive(Debug)]
 pub(crate) struct In<'a, T> {
     first: *const T,
@@ -146,15 +146,15 @@ pub(crate) struct In<'a, T> {
     borrowed: PhantomData<&'a T>,
 }
 
-// SAFETY: it is only read, and nothing writes there during `'a`, as `new` requires.
+// SAFETY: the array is only read, and does not change during `'a`, as `new` requires.
 unsafe impl<T: Sync> Sync for In<'_, T> {}
 
 impl<T: Copy> In<'_, T> {
     /// An array of elements that are `stride` bytes apart.
     ///
     /// # Safety
-    /// If the pointer passes the checks of [`Layout::new`], `count` elements that are valid as `T` are there during
-    /// `'a`, and nothing changes them.
+    /// If the pointer passes the checks of [`Layout::new`], it points to `count` valid elements of type `T`, which do
+    /// not change during `'a`.
     pub(crate) unsafe fn new(name: &'static str, first: *const T, stride: usize, count: usize) -> Result<Self, Fault> {
         let layout = Layout::new(name, first, stride, count)?;
         Ok(Self { first, layout, name: (name, false), borrowed: PhantomData })
@@ -163,16 +163,16 @@ impl<T: Copy> In<'_, T> {
     /// One element.
     ///
     /// # Safety
-    /// As [`new`](Self::new).
+    /// See [`new`](Self::new).
     pub(crate) unsafe fn one(name: &'static str, pointer: *const T) -> Result<Self, Fault> {
         check(pointer, name)?;
         Ok(Self { first: pointer, layout: Layout::one::<T>(), name: (name, true), borrowed: PhantomData })
     }
 
-    /// One element that stands for as many.
+    /// One element, repeated `count` times.
     ///
     /// # Safety
-    /// As [`new`](Self::new), with a count of 1.
+    /// See [`new`](Self::new), with a count of 1.
     pub(crate) unsafe fn repeated(name: &'static str, pointer: *const T, count: usize) -> Result<Self, Fault> {
         check(pointer, name)?;
         Ok(Self { first: pointer, layout: Layout { stride: 0, count }, name: (name, true), borrowed: PhantomData })
@@ -182,7 +182,7 @@ impl<T: Copy> In<'_, T> {
         self.layout.count
     }
 
-    /// Where an element is.
+    /// The address of an element.
     pub(crate) fn pointer(&self, index: usize) -> *const T {
         self.first.wrapping_byte_add(self.layout.offset(index))
     }
@@ -194,7 +194,7 @@ impl<T: Copy> In<'_, T> {
 
     pub(crate) fn get(&self, index: usize) -> T {
         let offset = self.layout.offset(index);
-        // SAFETY: the offset is within the array, in which there are elements as `new` requires.
+        // SAFETY: the offset is within the array, whose elements are valid as `new` requires.
         unsafe { self.first.byte_add(offset).read() }
     }
 
@@ -208,7 +208,7 @@ impl<T: Copy> In<'_, T> {
     }
 }
 
-/// An array of the caller, to be written.
+/// An output array of the caller.
 #[derive(Debug)]
 pub(crate) struct Out<'a, T> {
     first: *mut T,
@@ -216,19 +216,18 @@ pub(crate) struct Out<'a, T> {
     borrowed: PhantomData<&'a mut T>,
 }
 
-// SAFETY: it is as a mutable slice.
+// SAFETY: it behaves like a mutable slice.
 unsafe impl<T: Send> Send for Out<'_, T> {}
 
-// SAFETY: a shared one gives nothing but its layout, and `write` to callers that see to it that elements are not
-// shared.
+// SAFETY: a shared reference gives access only to the layout, and to `write`, whose callers use each element once.
 unsafe impl<T: Send> Sync for Out<'_, T> {}
 
 impl<T: Copy> Out<'_, T> {
     /// An array of elements that are `stride` bytes apart.
     ///
     /// # Safety
-    /// If the pointer passes the checks of [`Layout::new`], there is memory for `count` elements during `'a`, and
-    /// nothing else uses it. It need not be initialised.
+    /// If the pointer passes the checks of [`Layout::new`], it points to memory for `count` elements, with no other use
+    /// during `'a`. The memory need not be initialised.
     pub(crate) unsafe fn new(name: &'static str, first: *mut T, stride: usize, count: usize) -> Result<Self, Fault> {
         let layout = Layout::new(name, first, stride, count)?;
         Ok(Self { first, layout, borrowed: PhantomData })
@@ -237,7 +236,7 @@ impl<T: Copy> Out<'_, T> {
     /// One element.
     ///
     /// # Safety
-    /// As [`new`](Self::new).
+    /// See [`new`](Self::new).
     pub(crate) unsafe fn one(name: &'static str, pointer: *mut T) -> Result<Self, Fault> {
         check(pointer, name)?;
         Ok(Self { first: pointer, layout: Layout::one::<T>(), borrowed: PhantomData })
@@ -248,11 +247,11 @@ impl<T: Copy> Out<'_, T> {
     }
 
     pub(crate) fn set(&mut self, index: usize, value: T) {
-        // SAFETY: no other thread has it while it is borrowed here.
+        // SAFETY: no other thread uses the array while it is borrowed mutably.
         unsafe { self.write(index, value) };
     }
 
-    /// Writes as many elements of `values` as there are in both, and returns how many `values` has.
+    /// Writes elements of `values` until either array ends, and returns the length of `values`.
     pub(crate) fn fill(&mut self, values: &[T]) -> usize {
         for (index, &value) in values.iter().enumerate().take(self.count()) {
             self.set(index, value);
@@ -260,10 +259,10 @@ impl<T: Copy> Out<'_, T> {
         values.len()
     }
 
-    /// Writes what `answer` makes of ranges of indices, one range after the other or on the threads of this pool.
+    /// Writes the results of `answer` for ranges of indices, sequentially or on the threads of this pool.
     ///
     /// # Errors
-    /// That of the first range that has one.
+    /// The error of the first range that fails.
     pub(crate) fn answer(
         &mut self,
         is_parallel: bool,
@@ -291,10 +290,10 @@ impl<T: Copy> Out<'_, T> {
     }
 
     /// # Safety
-    /// No other thread uses this element meanwhile.
+    /// No other thread uses this element during the call.
     unsafe fn write(&self, index: usize, value: T) {
         let offset = self.layout.offset(index);
-        // SAFETY: the offset is within the array, where there is memory as `new` requires.
+        // SAFETY: the offset is within the array, whose memory is valid as `new` requires.
         unsafe { self.first.byte_add(offset).write(value) };
     }
 }

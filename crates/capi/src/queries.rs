@@ -1,4 +1,4 @@
-//! Queries of one ray, and of arrays of rays and points.
+//! Queries of single rays, and of arrays of rays and points.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -127,7 +127,7 @@ impl<V: Precision> Scene<V> {
         self.of_solid(points, rule, distances, flags, Solid::signed_distance)
     }
 
-    /// Asks the solid that the mesh bounds about points.
+    /// Runs point queries against the solid that the mesh bounds.
     fn of_solid<'s, A: Copy + Send>(
         &'s self,
         points: &In<'_, [Real<V>; 3]>,
@@ -170,7 +170,7 @@ impl<V: Precision> Scene<V> {
         })
     }
 
-    /// The `k` nearest faces.
+    /// Finds the `k` nearest faces.
     pub(crate) fn nearest_k1(
         &self,
         point: &In<'_, [Real<V>; 3]>,
@@ -183,7 +183,7 @@ impl<V: Precision> Scene<V> {
         Ok(self.tracer().nearest_k(&ball, k).into_iter().map(|found| near::<V>(Some(found))).collect())
     }
 
-    /// Writes what `answer` makes of ranges of indices.
+    /// Writes the results of `answer` for ranges of indices.
     fn batch<A: Copy + Send>(
         &self,
         mut answers: Out<'_, A>,

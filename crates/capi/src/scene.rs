@@ -1,4 +1,4 @@
-//! A mesh with its hierarchy, safe.
+//! A mesh with its hierarchy, without `unsafe`.
 
 use std::fs;
 use std::path::Path;
@@ -24,17 +24,17 @@ use crate::types::{
 pub struct Scene<V: Precision> {
     mesh: Mesh<V>,
     bvh: Arc<WideBvh<8, V>>,
-    /// Over the hierarchy. The scene keeps it because `Tracer::new` detects the level of instructions each time.
+    /// A tracer of the hierarchy, kept because `Tracer::new` detects the instruction level each time.
     tracer: Tracer<Arc<WideBvh<8, V>>, V>,
-    /// Of the corners of faces: the least and the greatest coordinates.
+    /// The bounds of the corners of faces: the least and the greatest coordinates.
     bounds: [[V::Real; 3]; 2],
-    /// Of each face, or empty: then all bits are set.
+    /// A mask for each face. If empty, all bits are set.
     masks: Vec<u32>,
     /// Computed by the first query that needs it.
     boundary: OnceLock<Boundary>,
-    /// Likewise, for rays that begin at exact points.
+    /// Computed by the first ray that starts at an exact point.
     exact: OnceLock<InstanceTracer<V>>,
-    /// Its own threads; else those of the process.
+    /// The scene's own threads; `None` for the threads of the process.
     pool: Option<ThreadPool>,
 }
 
@@ -45,7 +45,7 @@ const _: () = {
     is_shared::<Scene<DVec3>>();
 };
 
-/// Vertices and faces, as C has them.
+/// Vertices and faces in the format of C.
 pub(crate) type Vertices<'a, V> = In<'a, Anywhere<[<V as stackless_bvh::geom::Vector>::Real; 3]>>;
 pub(crate) type Faces<'a> = In<'a, Anywhere<[u32; 3]>>;
 
@@ -66,7 +66,7 @@ impl<V: Precision + Stored> Scene<V> {
         Self { mesh, bvh, tracer, bounds, masks: Vec::new(), boundary: OnceLock::new(), exact: OnceLock::new(), pool }
     }
 
-    /// Gives each face a mask.
+    /// Sets the masks of faces.
     pub(crate) fn set_masks(&mut self, masks: &In<'_, u32>) -> Result<(), Fault> {
         let (found, expected) = (masks.count(), self.mesh.triangles().len());
         if found != expected {
@@ -84,7 +84,7 @@ impl<V: Precision + Stored> Scene<V> {
         }
         let mesh = Mesh::new(vectors::<V>(vertices)?, self.mesh.triangles().to_vec())?;
         let Self { bvh, tracer, pool, exact, .. } = self;
-        // Nothing else shares the hierarchy then, so that it is not copied.
+        // Releases the other references to the hierarchy, so that it is not copied.
         (*tracer, *exact) = (Tracer::new(Arc::new(WideBvh::empty())), OnceLock::new());
         let refitted = shared(pool.as_ref(), || Arc::make_mut(bvh).refit(&mesh));
         *tracer = Tracer::new(Arc::clone(bvh));
@@ -103,7 +103,7 @@ impl<V: Precision + Stored> Scene<V> {
         Ok(Self::of(mesh, bvh, pool))
     }
 
-    /// Writes a file, whole or not at all.
+    /// Writes a file atomically.
     pub(crate) fn save(&self, path: &Path) -> Result<(), Fault> {
         let bytes = self.to_bytes()?;
         write_atomically(path, |file| file.write_all(&bytes)).map_err(|error| of_file(error, path))
@@ -125,7 +125,7 @@ impl<V: Precision> Scene<V> {
         &self.tracer
     }
 
-    /// Two threads that come at once both look, and find the same. Neither waits for the other.
+    /// Two threads may compute it at the same time, with equal results. No thread waits.
     pub(crate) fn boundary(&self) -> &Boundary {
         if let Some(boundary) = self.boundary.get() {
             return boundary;
@@ -134,7 +134,7 @@ impl<V: Precision> Scene<V> {
         self.boundary.get_or_init(|| boundary)
     }
 
-    /// Does work whose parallel parts the threads of this scene share.
+    /// Runs work whose parallel parts use the threads of this scene.
     pub(crate) fn share<A: Send>(&self, work: impl FnOnce() -> A + Send) -> A {
         shared(self.pool.as_ref(), work)
     }
@@ -147,7 +147,7 @@ impl<V: Precision> Scene<V> {
         &self.masks
     }
 
-    /// A tracer of rays that begin at exact points. It shares the hierarchy.
+    /// A tracer of rays that start at exact points. It shares the hierarchy.
     pub(crate) fn exact_tracer(&self) -> Result<&InstanceTracer<V>, Fault> {
         if let Some(tracer) = self.exact.get() {
             return Ok(tracer);
@@ -200,7 +200,7 @@ fn builder(quality: u32) -> Result<Builder, Fault> {
     })
 }
 
-/// Greatest number of threads that can be asked for: more are a mistake.
+/// The maximum number of threads.
 const MAX_THREADS: u32 = 1 << 12;
 
 fn pool(threads: u32) -> Result<Option<ThreadPool>, Fault> {

@@ -1,4 +1,4 @@
-//! What C calls for scenes in single precision, in the order of the header.
+//! C functions for scenes in single precision, in the order of the header.
 
 pub mod scenes;
 

@@ -1,4 +1,4 @@
-/* Answers through C are those of exact arithmetic, which integers of 64 bits can do for small integer coordinates. */
+/* Answers through C equal those of exact arithmetic with 64-bit integers, for small integer coordinates. */
 #include <math.h>
 #include <pthread.h>
 
@@ -6,13 +6,13 @@
 
 enum { FACES = 400, RAYS = 2000, THREADS = 4 };
 
-/* Layouts that are as odd as they may be: packed, so that numbers are at any address. */
+/* Packed layouts, with numbers at unaligned addresses. */
 #pragma pack(push, 1)
 typedef struct { char tag; real position[3]; char colour[2]; } vertex_t;
 typedef struct { char tag; uint32_t corners[3]; } face_t;
 #pragma pack(pop)
 
-/* Ray and hit in one structure, as Embree has them. */
+/* Ray and hit in one structure, as in Embree. */
 typedef struct { ray_t ray; int number; hit_t hit; bool is_hit; filter_t filter; } rayhit_t;
 
 typedef struct { int64_t t, u, v, det; uint32_t face; } exact_t;
@@ -148,7 +148,7 @@ static void batches(const scene_t *scene, uint32_t flags)
     CHECK(hits > 5 * RAYS && ties > RAYS / 10);
 }
 
-/* Of two halves of each triangle one is there. The ray is that of the call. */
+/* Accepts hits in one half of each triangle, and checks that the ray is the ray of the call. */
 static bool accepts(void *user, const ray_t *ray, const hit_t *hit)
 {
     CHECK(ray == user || ray == &((const rayhit_t *)user)->ray);
@@ -166,7 +166,7 @@ static uint32_t mask_of(uint32_t face)
     return 1u << face % 3;
 }
 
-/* Leaves of the hits that were found those that a filter accepts. */
+/* Keeps the hits that a filter accepts. */
 static size_t keep(size_t count, const filter_t *filter)
 {
     size_t kept = 0;
@@ -243,7 +243,7 @@ static scene_t *soup(uint32_t quality, uint32_t threads)
     return scene;
 }
 
-/* A closed mesh: crossings, points and distances that can be told from the coordinates. */
+/* A closed mesh: crossings, points and distances that follow from the coordinates. */
 static void check_cube(void)
 {
     scene_t *scene = cube();
@@ -267,7 +267,7 @@ static void check_cube(void)
     const real beside[3] = {half, 0, 1};
     size_t nearest;
     OK(CALL(nearest_k1)(scene, beside, 1, nears, sizeof nears[0], 5, &nearest));
-    /* Above a face and next to its diagonal; then the side's two faces, and of two at distance 1 the first. */
+    /* Above a face and next to its diagonal; then the two faces of the side, and the first of two faces at distance 1. */
     const uint32_t nearest_faces[5] = {10, 11, 3, 2, 5};
     for (int i = 0; i < 5; i++) {
         CHECK(nears[i].face == nearest_faces[i] && (i == 0 || nears[i].distance >= nears[i - 1].distance));
@@ -301,7 +301,7 @@ static void check_cube(void)
     CHECK(CALL(scene_free)(scene) == STACKLESS_ERROR_NONE);
 }
 
-/* Rays that begin at a point of thirds, on the face z = -1 of the cube, and end on another. */
+/* Rays from a point with coordinates in thirds, on the face z = -1 of the cube, to another face. */
 static void check_exact(void)
 {
     scene_t *scene = cube();
@@ -380,7 +380,7 @@ static void check_saved(const scene_t *scene, const char *file)
     OK(CALL(scene_free)(read));
 }
 
-/* Each thread its own hits, all the same scene. */
+/* Each thread has its own hits; all threads share the scene. */
 static void *query(void *argument)
 {
     const scene_t *scene = argument;

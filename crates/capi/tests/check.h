@@ -1,4 +1,4 @@
-/* One source for both precisions: with -DSINGLE it calls the functions that end with _f. And a few helpers. */
+/* One source for both precisions: with -DSINGLE it calls the functions ending with _f. Also helpers. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -54,7 +54,7 @@ static inline void expect(stackless_error found, stackless_error expected, const
     exit(1);
 }
 
-/* The cube from -1 to 1, of 12 faces that are seen counterclockwise from outside. */
+/* The cube from -1 to 1, of 12 faces, counterclockwise seen from outside. */
 static const real CUBE[8][3] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
                                 {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
 static const uint32_t CUBE_FACES[12][3] = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
@@ -67,7 +67,7 @@ static inline scene_t *cube(void)
     return scene;
 }
 
-/* Numbers from 0 to n - 1, always the same ones. */
+/* Deterministic numbers from 0 to n - 1. */
 static inline int below(uint64_t *state, int n)
 {
     *state = *state * 6364136223846793005u + 1442695040888963407u;

@@ -1,4 +1,4 @@
-/* Calls that are wrong are refused with a code and a message that names the element, and write nowhere else. */
+/* Invalid calls fail with a code and a message that names the element, and write no other memory. */
 #include <fenv.h>
 #include <math.h>
 
@@ -9,7 +9,7 @@ static const size_t VERTEX = sizeof(real[3]), FACE = sizeof(uint32_t[3]);
 static const real *const V = CUBE[0];
 static const uint32_t *const F = CUBE_FACES[0];
 
-/* A pointer that no object of the type may have. */
+/* A misaligned pointer. */
 #define MISALIGNED(type) ((type *)(void *)((char *)aligned + 1))
 static double aligned[64];
 
@@ -75,7 +75,7 @@ static void single_rays(const scene_t *scene)
     for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
         INVALID(rays[i].text, CALL(closest1)(scene, &rays[i].ray, NULL, &hit));
         INVALID(rays[i].text, CALL(any1)(scene, &rays[i].ray, NULL, &is_hit));
-        /* In the middle of a batch, whatever the threads. */
+        /* In the middle of a batch, for any number of threads. */
         ray_t batch[600];
         bool found[600];
         for (size_t j = 0; j < 600; j++) {
@@ -110,7 +110,7 @@ static void filters(scene_t *scene)
     INVALID("face_count: 11, expected 12", CALL(scene_set_masks)(scene, masks, 4, 11));
     INVALID("scene: null", CALL(scene_set_masks)(NULL, masks, 4, 12));
     INVALID("face_count", CALL(scene_set_masks)(scene, masks, 4, SIZE_MAX));
-    /* Without a bit no face is seen, and without a filter all are. */
+    /* A mask of 0 accepts no face; without a filter all faces are accepted. */
     OK(CALL(scene_set_masks)(scene, masks, 4, 12));
     const filter_t all = {.mask = UINT32_MAX};
     OK(CALL(closest1)(scene, &RAY, &all, hits));
@@ -206,7 +206,7 @@ static void batches(const scene_t *scene)
             CALL(nearest_n)(scene, points[0], VERTEX, 4, 1, nears, sizeof nears[0], 0));
 }
 
-/* What does not fit is not written, and the count is that of all. */
+/* Results beyond the capacity are not written; the count includes them. */
 static void small_buffers(const scene_t *scene)
 {
     const ray_t ray = {{0, 0, -3}, 0, {0, 0, 1}, (real)INFINITY};
@@ -269,7 +269,7 @@ static void garbage(const scene_t *scene, const char *folder)
     REFUSED(INVALID_DATA, "/dev/null: ", CALL(scene_load)("/dev/null", 1, &read));
 }
 
-/* A cube without its last side has no inside, but a nearest point; and other vertices must be as many. */
+/* A cube without its last side has no inside, but a nearest point; and a refit needs an equal number of vertices. */
 static void meshes(void)
 {
     scene_t *scene;
@@ -296,7 +296,7 @@ static void meshes(void)
     OK(CALL(scene_free)(scene));
 }
 
-/* After a refit the edges are looked at again: here each face has vertices of its own, of which one moves away. */
+/* A refit examines the edges again. Here each face has its own vertices, and one vertex moves away. */
 static void opened_by_refit(void)
 {
     scene_t *scene;
@@ -318,7 +318,7 @@ static void opened_by_refit(void)
     OK(CALL(scene_free)(scene));
 }
 
-/* Valgrind does not do other roundings. */
+/* Valgrind does not support other rounding modes. */
 static void roundings(scene_t *scene)
 {
     hit_t hit;

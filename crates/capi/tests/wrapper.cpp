@@ -1,4 +1,4 @@
-// Every function of stackless.hpp, in both precisions.
+// Every function of stackless.hpp, in single and in double precision.
 #include <cstdio>
 #include <cstdlib>
 #include <limits>

@@ -1,4 +1,4 @@
-//! `stackless bench`: time and errors of the traversals beside each other, and of ray tracers by others, in one run.
+//! `stackless bench`: time and errors of the traversals and of other ray tracers, in one run.
 
 mod double;
 mod own;
@@ -36,43 +36,43 @@ use rays::{Kind, Set};
 use rows::{Row, means, of_scene};
 use wide::{Manner, WideTree};
 
-/// Measure time and errors on one thread: same rays, and unless several are asked for, same tree.
+/// Measure time and errors of traversals on one thread, with the same rays and by default the same tree.
 ///
-/// All take turns on chunks of the rays. Times are the thread's processor time, for each chunk the least of all rounds:
-/// work beside it on the same core slows some more than others. The ratio is that of the time of `stack` (on the first
-/// tree, with the first accuracy) to the other's: above 1 is faster.
+/// Contestants alternate after each chunk of the rays. Times are processor time of the thread: for each chunk, the
+/// least of all rounds, because other work on the same core slows down some rounds. The ratio is the time of `stack`
+/// (on the first tree, with the first accuracy) divided by the contestant's time: above 1 is faster.
 ///
-/// Up to 5,000 rays of each kind are judged by rational arithmetic: how many answers are wrong, and by how many floats
-/// a right triangle's distance is off. The exit code is 1 if an exact one errs, or if the hits of two exact ones differ.
+/// Up to 5,000 rays of each kind are judged by rational arithmetic: the number of wrong answers, and the error of
+/// distances in floats. The exit code is 1 if an exact answer is wrong, or if the hits of two exact contestants differ.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless bench examples/data/torus.ply examples/data/slivers.ply\n  \
     stackless bench examples/data/room.obj --method hashed,wide-stack --kinds diffuse --count 1000000\n  \
     stackless bench examples/data/torus.ply --accuracy fast,exact --kinds any,aimed --json bench.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the generated scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// Traversals, separated by commas: `stackless methods` lists them. `stack` is always there. Those of wide trees are
-    /// exact; their trees have eight children, and are built in the same way.
-    /// They trace two rays interleaved. With the default one, `wide-record`, the same rays and triangles are traced in double
-    /// precision too: `wide-record-f64`, over the first tree. Its distances are judged as rounded to single precision.
+    /// Traversals, separated by commas (`stackless methods` lists them). `stack` is always included. Traversals of wide
+    /// trees are exact. They trace two rays interleaved, over trees of eight children from the same builders. The
+    /// default wide traversal, `wide-record`, also traces the rays and triangles in double precision, as `wide-record-f64`,
+    /// over the first tree. Its distances are judged as rounded to single precision.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     #[arg(default_value = "stack,sparse,afra,uncle,hashed,hash-only,implicit-b1,wide-stack,wide-record")]
     method: Vec<Traversal>,
-    /// How the hierarchy is built, separated by commas.
+    /// Builders of the hierarchy, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "standard", value_parser = build::builder())]
     build: Vec<Builder>,
     /// Kinds of rays, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "primary,any,diffuse")]
     kinds: Vec<Kind>,
-    /// How exact the answers are to be, separated by commas.
+    /// Levels of accuracy, separated by commas.
     #[arg(long, value_delimiter = ',', default_value = "exact", value_parser = input::accuracy())]
     accuracy: Vec<Accuracy>,
-    /// Rays of the camera; of the other kinds there is one for each of them that hits.
+    /// Number of camera rays. The kinds `any` and `diffuse` have a ray for each hit of a camera ray.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
-    /// How often all rays are timed.
+    /// Number of rounds.
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
     #[command(flatten)]
@@ -80,8 +80,8 @@ pub(crate) struct Args {
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Measure ray tracers by others too (feature `peers`). Their ratios are to `stack` with exact tests. `embree-double`
-    /// is Embree's boxes around triangles that a callback tests in double precision.
+    /// Measure other ray tracers, too (feature `peers`). Their ratios are to `stack` with exact tests. `embree-double`
+    /// uses Embree's boxes, and a callback that tests triangles in double precision.
     #[arg(long)]
     peers: bool,
     /// Write the figures to this file.
@@ -89,69 +89,69 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-/// Options that only `lab bench` has.
+/// Options of `lab bench` only.
 #[derive(Clone, Default, clap::Args)]
 pub(crate) struct Extra {
-    /// Instructions of the traversals of wide trees. The default is the best of the machine.
+    /// Instruction level for traversals of wide trees. [default: the best of the machine]
     #[arg(long, value_name = "LEVEL", value_parser = input::simd())]
     simd: Option<Level>,
-    /// Trace one ray at a time through wide trees, each by a call of its own.
+    /// Trace one ray per call through wide trees.
     #[arg(long)]
     one_by_one: bool,
-    /// Ask wide trees for the weights of the closest hits too.
+    /// Also compute the weights of closest hits in wide trees.
     #[arg(long)]
     weights: bool,
-    /// Measure double precision too, in places separated by commas: `f64`, the scene as it is; with an extent of 1 at
-    /// `6.4e6` and at `1e9`, scaled by `1e-50` and by `1e50`; and rays whose least component is `1e-130`. Only the
-    /// first is judged.
+    /// Measure double precision in these places, separated by commas: `f64`, the scene unchanged; with an extent of 1
+    /// at `6.4e6` and at `1e9`, scaled by `1e-50` and by `1e50`; and rays whose smallest component is `1e-130`. Only
+    /// `f64` is judged.
     #[arg(long, conflicts_with = "peers", value_name = "PLACES", value_delimiter = ',', num_args = 0..=1)]
     #[arg(default_missing_value = double::NAMES, value_parser = double::place())]
     double: Vec<double::Place>,
 }
 
-/// Rays that are timed before it is another one's turn.
+/// Number of rays that a contestant traces before the next contestant continues.
 const CHUNK: usize = 4096;
 
-/// How often each tree is built.
+/// Number of builds of each tree.
 const BUILDS: usize = 3;
 
-/// Rays of a kind that are judged.
+/// Number of judged rays of a kind.
 const JUDGED: usize = 5000;
 
-/// Somebody who traces rays.
+/// A traversal or another ray tracer.
 trait Contestant {
-    /// Traversal, or name of the peer.
+    /// The traversal, or the name of the peer.
     fn method(&self) -> &'static str;
 
-    /// How the tree was built; a peer has its own way.
+    /// The builder; `None` for a peer.
     fn build(&self) -> Option<Builder>;
 
-    /// Level of accuracy; a peer has none.
+    /// The level of accuracy; `None` for a peer.
     fn accuracy(&self) -> Option<Accuracy>;
 
-    /// What its tests are called in tables.
+    /// The name of its tests in tables.
     fn tests(&self) -> &'static str {
         self.accuracy().map_or("own", Accuracy::name)
     }
 
-    /// Whether its answers are those of the rays that it takes.
+    /// Whether its answers are judged.
     fn is_judged(&self) -> bool {
         true
     }
 
-    /// Gets ready for these rays, untimed.
+    /// Prepares for these rays, untimed.
     fn take(&mut self, _rays: &[Ray]) {}
 
-    /// Answers rays: some of those that were taken, from `first` on.
+    /// Traces some of the rays of [`take`](Self::take), from `first` on.
     fn trace(&mut self, query: Query, rays: &[Ray], first: usize, answers: &mut [Answer]);
 
-    /// Visits of inner nodes and leaves by all rays, where they can be counted.
+    /// Visits of inner nodes and leaves by all rays, if they can be counted.
     fn nodes(&mut self, query: Query, rays: &[Ray]) -> Option<u64>;
 
-    /// Bytes of the state for one ray, where they are known.
+    /// Bytes of the state for one ray, if known.
     fn state_bytes(&self) -> Option<usize>;
 
-    /// Processor time of a build, in seconds: the least of a few.
+    /// Processor time of a build, in seconds: the least of several builds.
     fn build_seconds(&self) -> f64;
 }
 
@@ -160,7 +160,7 @@ pub(crate) fn run(args: &Args, extra: &Extra) -> Outcome {
         return Err("--peers: this program was built without the feature `peers`".into());
     }
     if args.peers && !args.accuracy.contains(&Accuracy::Exact) {
-        return Err("--peers needs exact among --accuracy: it is what the peers are measured by".into());
+        return Err("--peers: expected exact in --accuracy, for the ratios of the peers".into());
     }
     let scenes = input::scenes(&args.scenes)?;
     let Found { rows, notes, offences } = measure(args, extra, &scenes)?;
@@ -174,8 +174,8 @@ pub(crate) fn run(args: &Args, extra: &Extra) -> Outcome {
     Ok(offences.is_empty())
 }
 
-/// Builds a few times, and returns the last result with the least processor time, in seconds. The first build is slower, as
-/// it touches memory for the first time.
+/// Builds several times. Returns the last result and the least processor time, in seconds. The first build is slower,
+/// because it touches new memory.
 fn timed<T, E>(mut build: impl FnMut() -> Result<T, E>) -> Result<(T, f64), E> {
     let mut least = f64::INFINITY;
     for _ in 1..BUILDS {
@@ -188,21 +188,21 @@ fn timed<T, E>(mut build: impl FnMut() -> Result<T, E>) -> Result<(T, f64), E> {
     Ok((built, least.min(start.elapsed().as_secs_f64())))
 }
 
-/// What was measured.
+/// Results of the measurement.
 #[derive(Default)]
 struct Found {
     rows: Vec<Row>,
-    /// What was left out.
+    /// Omitted measurements, with reasons.
     notes: Vec<String>,
-    /// Errors of exact ones, and hits that differ between them.
+    /// Errors of exact contestants, and differences between their hits.
     offences: Vec<String>,
 }
 
-/// Measures all scenes, and shows the rows of each once it is done.
+/// Measures all scenes, and prints the rows of each scene when it is finished.
 fn measure(args: &Args, extra: &Extra, scenes: &[Scene]) -> Result<Found, Box<dyn std::error::Error>> {
     let builds = once_each(args.build.iter().copied());
     let accuracies = once_each(args.accuracy.iter().copied());
-    // `stack` is what the others are measured by.
+    // `stack` is the baseline.
     let (binary, wide) = Traversal::of_each_kind(&args.method);
     let methods = once_each([Method::Stack].into_iter().chain(binary));
     let wide_methods = once_each(wide);
@@ -251,7 +251,7 @@ fn measure(args: &Args, extra: &Extra, scenes: &[Scene]) -> Result<Found, Box<dy
     Ok(Found { rows, notes: once_each(notes), offences })
 }
 
-/// Everything once, in the order in which it first comes.
+/// Removes duplicates, and keeps the order of first occurrences.
 fn once_each<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
     let mut once = Vec::new();
     for one in all {
@@ -262,7 +262,7 @@ fn once_each<T: PartialEq>(all: impl IntoIterator<Item = T>) -> Vec<T> {
     once
 }
 
-/// A scene on which all are measured.
+/// A scene for all contestants.
 struct Course<'a> {
     scene: &'a Scene,
     truth: Truth,
@@ -270,7 +270,7 @@ struct Course<'a> {
 }
 
 impl Course<'_> {
-    /// All contestants on the rays of one set. An offence is an error of an exact one, in words.
+    /// Measures all contestants on the rays of one set. An offence is an error of an exact contestant, in words.
     fn measure(&self, set: &Set, contestants: &mut [Box<dyn Contestant + '_>], offences: &mut Vec<String>) -> Vec<Row> {
         let name = format!("{}, {}", self.scene.name, set.kind.name());
         let mut answers = vec![None; set.rays.len()];
@@ -284,7 +284,7 @@ impl Course<'_> {
                 let differs = expected.iter().zip(&answers).position(|(a, b)| !is_same(set.query, *a, *b));
                 offences.extend(differs.map(|i| {
                     let (ray, method) = (csv_line(&set.rays[i]), contestant.method());
-                    format!("{name}: the ray {ray} gets {:?} by {method}, and {:?} by stack", answers[i], expected[i])
+                    format!("{name}: ray {ray}: {:?} by {method}, but {:?} by stack", answers[i], expected[i])
                 }));
             }
             nodes.push(contestant.nodes(set.query, &set.rays));
@@ -310,7 +310,7 @@ impl Course<'_> {
         rows.collect()
     }
 
-    /// What each gets wrong.
+    /// Counts the errors of each contestant.
     fn judge(&self, set: &Set, contestants: &mut [Box<dyn Contestant + '_>], name: &str) -> Vec<Option<Counts>> {
         let truths = Truths::new(&self.truth, &set.rays, JUDGED, name);
         let counts = contestants.iter_mut().map(|contestant| {
@@ -322,7 +322,7 @@ impl Course<'_> {
             contestant.trace(set.query, truths.rays(), 0, &mut answers);
             let judged = answers.into_iter().enumerate().map(|(i, answer)| match set.query {
                 Query::Closest => [answer],
-                // Which triangle blocks a ray is not asked, so it is one that does, if there is one.
+                // The query does not return a triangle. A hit counts as the closest triangle, if there is one.
                 Query::Any => [answer.map(|answer| truths.closest(i).unwrap_or(answer))],
             });
             Some(truths.counts(set.query, &judged.collect::<Vec<_>>()))

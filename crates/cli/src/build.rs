@@ -1,4 +1,4 @@
-//! `--build`: how a scene's hierarchy is built.
+//! `--build`: the builder of a scene's hierarchy.
 
 use clap::builder::TypedValueParser;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, WideBvh, WideError};
@@ -10,7 +10,7 @@ use stackless_scene::Position;
 use crate::input::{Scene, names};
 use crate::output::bar;
 
-/// What trees are like in the checks: the default, complete, and with triangles in parts that have been moved about.
+/// The builders of the checks: the default, complete trees, and trees with split triangles.
 pub(crate) const CHECKED: [Builder; 3] = [Builder::Standard, Builder::Median, Builder::Spatial];
 
 /// Reads the name of a builder.
@@ -18,27 +18,27 @@ pub(crate) fn builder() -> impl TypedValueParser<Value = Builder> {
     names(Builder::ALL, Builder::name)
 }
 
-/// What was asked for; else the default, but for `complete`, which needs a complete tree.
+/// The chosen builder; by default `median` for the traversal `complete`, which needs a complete tree.
 pub(crate) fn chosen(asked: Option<Builder>, methods: &[Method]) -> Builder {
     asked.unwrap_or(if methods.contains(&Method::Complete) { Builder::Median } else { Builder::default() })
 }
 
-/// For rays, which miss degenerate triangles.
+/// Options for rays, which miss degenerate triangles.
 pub(crate) fn options(builder: Builder) -> BuildOptions {
     BuildOptions { builder, degenerate: Degenerate::LeftOut, ..BuildOptions::default() }
 }
 
-/// A binary hierarchy, with a progress bar.
+/// Builds a binary hierarchy, with a progress bar.
 pub(crate) fn binary<V: Position>(builder: Builder, scene: &Scene<V>) -> Result<Bvh<Triangle<V>>, BuildError> {
     watched(builder, scene, |progress| options(builder).build_watched(&scene.mesh, progress))
 }
 
-/// A wide hierarchy for rays, with a progress bar.
+/// Builds a wide hierarchy for rays, with a progress bar.
 pub(crate) fn wide<V: Precision + Position>(builder: Builder, scene: &Scene<V>) -> Result<WideBvh<8, V>, WideError> {
     wide_by(options(builder), scene)
 }
 
-/// A wide hierarchy for points, with a progress bar: degenerate triangles may be nearest.
+/// Builds a wide hierarchy for points, with a progress bar. Degenerate triangles may be nearest to a point.
 pub(crate) fn wide_for_points<V: Precision + Position>(
     builder: Builder,
     scene: &Scene<V>,

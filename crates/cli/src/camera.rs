@@ -1,4 +1,4 @@
-//! Images: how large, and from where.
+//! The size of images and the camera.
 
 use std::path::Path;
 use std::str::FromStr;
@@ -10,22 +10,22 @@ use stackless_scene::read_text;
 
 use crate::input::Scene;
 
-/// Where a scene is seen from.
+/// The cameras of scenes.
 #[derive(Clone, Default, clap::Args)]
 pub(crate) struct Place {
-    /// The camera: where it stands and what is in the middle of the image, `ex,ey,ez,tx,ty,tz`; then, if given, what is
-    /// up there, `ux,uy,uz`, and the field of view across the shorter edge in degrees. Or a file with a line `NAME:
-    /// NUMBERS` for each of some scenes. By default, and where a file does not name the scene, all of it is in the image.
+    /// Camera position and target, `ex,ey,ez,tx,ty,tz`; then optionally the up vector, `ux,uy,uz`, and the field of
+    /// view across the shorter edge in degrees. Or a file with a line `NAME: NUMBERS` for each scene. By default, and
+    /// for scenes that the file does not name, the whole scene is in the image.
     #[arg(long, value_name = "NUMBERS|FILE", allow_hyphen_values = true)]
     view: Option<Given>,
 }
 
-/// Where an image is taken from.
+/// Camera and image size.
 #[derive(Clone, clap::Args)]
 pub(crate) struct Options {
     #[command(flatten)]
     place: Place,
-    /// Pixels: width and height, or both in one number.
+    /// Image size in pixels: width and height, or one number for a square.
     #[arg(long, value_name = "WxH", default_value = "512")]
     pub(crate) size: Size,
 }
@@ -38,7 +38,7 @@ pub(crate) struct Size {
 }
 
 impl Size {
-    /// Most pixels along an edge.
+    /// Maximum number of pixels along an edge.
     const MOST: u32 = 8192;
 
     pub(crate) const fn pixels(self) -> usize {
@@ -59,7 +59,7 @@ impl FromStr for Size {
     }
 }
 
-/// A camera as the user gives it.
+/// A camera of the command line.
 #[derive(Clone, Debug, PartialEq)]
 enum Given {
     /// For all scenes.
@@ -83,7 +83,7 @@ impl FromStr for Given {
 
 const EXPECTED: &str = "expected 6, 7, 9 or 10 numbers: eye, target, then up, then degrees";
 
-/// The lines `NAME: NUMBERS` of a file of views. What begins with `#` is a remark.
+/// Parses the lines `NAME: NUMBERS` of a file of views. `#` starts a comment.
 fn named(text: &str) -> Result<Vec<(String, View)>, String> {
     let lines = text.lines().enumerate().map(|(i, line)| (i + 1, line.trim()));
     let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
@@ -129,7 +129,7 @@ impl Place {
     }
 }
 
-/// A view as `--view` takes it.
+/// Formats a view for `--view`.
 pub(crate) fn numbers(view: &View) -> String {
     let points = [view.eye, view.target, view.up].map(|v| v.to_array());
     let all: Vec<_> = points.iter().flatten().chain([&view.degrees]).map(f32::to_string).collect();
@@ -155,7 +155,7 @@ impl Camera {
         self.view.frame().map(DVec3::as_vec3)
     }
 
-    /// The ray through a place in a pixel, whose upper left corner is 0, 0. Pixels are counted row by row.
+    /// The ray through a point of a pixel. The pixel's upper left corner is 0, 0. Pixels are numbered row by row.
     pub(crate) fn ray(&self, pixel: usize, [x, y]: [f64; 2]) -> Option<Ray> {
         let Size { width, height } = self.size;
         let column = (pixel % width as usize) as f64 + x;

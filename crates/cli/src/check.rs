@@ -1,4 +1,4 @@
-//! `stackless check`: every traversal against the oracle.
+//! `stackless check`: compares every traversal with the oracle.
 
 mod scenes;
 mod summary;
@@ -24,8 +24,8 @@ pub(crate) use summary::Summary;
 
 /// Compare every traversal with the oracle.
 ///
-/// Without SCENE: random and boundary trees, and three made scenes. With SCENE: rays through each. The exit code is 0
-/// if all agree, 1 on any disagreement, 2 if the check could not run.
+/// Without SCENE, check random and boundary trees, and three generated scenes. With SCENE, check rays through each
+/// scene. The exit code is 0 if all traversals agree, 1 on any disagreement, 2 if the check could not run.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless check\n  \
@@ -35,58 +35,58 @@ pub(crate) use summary::Summary;
     stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the generated scenes `strands`, `stadium`, `soup`.
     scenes: Vec<PathBuf>,
-    /// Number of random trees [default: 200000, or 0 with SCENE].
+    /// Number of random trees. [default: 200000, or 0 with SCENE]
     #[arg(long)]
     trees: Option<u64>,
-    /// Instead of random trees, every tree of up to so many leaves under all decisions: 6 are 25,897 cases, 9 are 28
-    /// million.
+    /// Check every tree of up to this number of leaves under all decisions, instead of random trees: 6 leaves are
+    /// 25,897 cases, 9 are 28 million.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "seed"])]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(AllCases::LEAVES)))]
     leaves: Option<u32>,
     /// Seed of trees, tapes and rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Only these traversals of binary trees, separated by commas: `stackless methods` lists them.
+    /// Check only these traversals of binary trees, separated by commas (`stackless methods` lists them). [default:
+    /// all]
     #[arg(long, value_delimiter = ',', value_parser = input::method(), hide_possible_values = true)]
     method: Vec<Method>,
-    /// Rays through each scene.
+    /// Number of rays through each scene.
     #[arg(long, default_value_t = 4000, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
-    /// Read scenes in double precision, and check rays through them there. Half of the rays are aimed at corners and at
-    /// middles of edges.
+    /// Read scenes in double precision, and check rays in double precision. Half of the rays are aimed at corners and
+    /// at middles of edges.
     #[arg(long, conflicts_with = "replay")]
     double: bool,
-    /// Run one of N parts of this. `stackless merge` adds their counts up.
+    /// Run only part I of N. `stackless merge` adds up the counts.
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
     shard: Shard,
     /// Write the counts to this file.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
-    /// Run the case in this file and nothing else. A disagreement on a tree is printed as such a file.
+    /// Run only the case in this file. A failing check prints its smallest case in this format.
     #[arg(long, conflicts_with_all = ["scenes", "trees", "leaves", "shard"])]
     replay: Option<PathBuf>,
 }
 
-/// Options that only `lab check` has.
+/// Options of `lab check` only.
 #[derive(Default, clap::Args)]
 pub(crate) struct Extra {
-    /// Only trees of this family.
+    /// Check only trees of this family.
     #[arg(long, value_parser = input::names(Family::ALL, Family::name), conflicts_with_all = ["leaves", "replay"])]
     family: Option<Family>,
-    /// Depth of the trees in edges: combs are that deep, others at most.
+    /// Depth of the trees, in edges: exact for combs, the maximum for other trees.
     #[arg(long, value_parser = clap::value_parser!(u32).range(..=10_000_000), conflicts_with_all = ["leaves", "replay"])]
     depth: Option<u32>,
-    /// Only this word.
+    /// Check only this word.
     #[arg(long, value_parser = input::names(WordName::ALL, WordName::name))]
     word: Option<WordName>,
-    /// Move each scene by so much first.
+    /// Translate each scene by this vector first.
     #[arg(long, value_name = "X,Y,Z", requires = "double", allow_hyphen_values = true)]
     moved: Option<Shift>,
 }
 
-/// All that is counted.
 #[derive(Default)]
 struct Total {
     trees: u64,
@@ -97,7 +97,7 @@ struct Total {
     scenes: Vec<SceneFault>,
 }
 
-/// Random trees, if they are small, on which traversals are put aside at every step.
+/// Number of random trees, of the small ones, on which traversals are paused at every step.
 const PAUSED_TREES: u64 = 400;
 
 pub(crate) fn run(args: &Args, extra: &Extra) -> Outcome {
@@ -114,9 +114,7 @@ pub(crate) fn run(args: &Args, extra: &Extra) -> Outcome {
         extra.family.is_some() || extra.depth.is_some() || args.trees.is_some() || args.leaves.is_some();
     plan.trees = args.trees.unwrap_or(if scenes.is_empty() && args.leaves.is_none() { 200_000 } else { 0 });
     if plan.trees == 0 && (extra.family.is_some() || extra.depth.is_some()) {
-        return Err(
-            "--family and --depth are of random trees, and none would be checked: expected --trees N too".into()
-        );
+        return Err("--family and --depth select random trees: expected --trees N".into());
     }
     let want_made = scenes.is_empty() && (args.double || !abstract_only);
     let scenes = if want_made { Scenes::made(args.double, shift)? } else { scenes };
@@ -166,18 +164,18 @@ fn asked(args: &Args, plan: &Plan, scenes: &Scenes) -> Run {
 }
 
 fn finish(args: &Args, plan: &Plan, run: Run, total: &Total) -> Outcome {
-    // A part of a run may have none: whether all have is known of their sum.
+    // A part of a run may have no comparisons. `merge` then checks the sum.
     let is_whole = args.shard == Shard::WHOLE;
     if total.tally.comparisons() == 0 && is_whole {
         let refusal = plan.pairs().into_iter().find_map(|(method, word)| {
             total.tally.get(method, word).refusal.map(|refusal| format!("{method}: {refusal}"))
         });
-        return Err(refusal.unwrap_or_else(|| "there is nothing to check".to_owned()).into());
+        return Err(refusal.unwrap_or_else(|| "no case was checked".to_owned()).into());
     }
     run.finish(Summary::new(plan, total), args.json.as_deref())
 }
 
-/// Every small tree under all decisions.
+/// Checks every small tree under all decisions.
 fn check_all(plan: &Plan, shard: Shard, leaves: u32, run: &mut Run, total: &mut Total) {
     let all = AllCases::up_to(leaves);
     let numbers = run.take(shard, "cases", all.count());
@@ -188,7 +186,8 @@ fn check_all(plan: &Plan, shard: Shard, leaves: u32, run: &mut Run, total: &mut 
     total.trees += count;
 }
 
-/// The random trees and, unless the user has asked for some of his own, those at the depths where words end.
+/// Checks the random trees. Unless the user selects random trees, also checks the trees at the maximum depth of each
+/// word.
 fn check_trees(plan: &Plan, shard: Shard, random_only: bool, run: &mut Run, total: &mut Total) {
     let numbers = run.take(shard, "trees", plan.trees);
     let progress = bar(numbers.end - numbers.start, "trees");
@@ -198,7 +197,7 @@ fn check_trees(plan: &Plan, shard: Shard, random_only: bool, run: &mut Run, tota
     if !random_only {
         let boundary = boundary_cases(plan.seed).count() as u64;
         let numbers = run.take(shard, "trees at limits", boundary);
-        // They are numbered after the random ones.
+        // Their numbers follow those of the random trees.
         let cases = (plan.trees..).zip(boundary_cases(plan.seed));
         let cases = cases.skip(numbers.start as usize).take((numbers.end - numbers.start) as usize);
         result = merge(result, check_cases(plan, cases));

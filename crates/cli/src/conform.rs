@@ -1,4 +1,4 @@
-//! `stackless conform`: asks another implementation the cases of the suite.
+//! `stackless conform`: runs the conformance suite against another implementation.
 
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -9,51 +9,51 @@ use crate::output::{bar, detail, grouped, say, table, write_file, write_json};
 use crate::places::{self, Output};
 use crate::{Outcome, input};
 
-/// Ask a program the cases of the conformance suite, and say where it is wrong.
+/// Run the conformance suite against another implementation, and report its failures.
 ///
-/// The program reads one JSON object a line and answers each with one (spec/suite/INTERPRETING.md). The exit code is 0
-/// if nothing failed and every waiver still fails, 1 otherwise, 2 if the program could not be asked.
+/// The program reads one JSON object per line and answers with one line (spec/suite/INTERPRETING.md). The exit code is
+/// 0 if no case failed and every waiver is still needed, 1 otherwise, 2 if the program could not run.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless conform -- stackless suite serve --method hashed --word u32\n  \
     stackless conform --level trace -- python3 spec/suite/adapters/traverse.py")]
 pub(crate) struct Args {
-    /// The suite, as a folder like spec/suite; without it the program's own, which is the same.
+    /// Read the suite from a folder like spec/suite. [default: the built-in suite]
     #[arg(long)]
     suite: Option<PathBuf>,
-    /// Cases of this level only.
+    /// Run only cases of this level.
     #[arg(long, value_parser = input::names(Level::ALL, Level::name))]
     level: Option<Level>,
-    /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
+    /// Run only cases whose id matches; `*` is any text, `?` any character. Repeat the option for several patterns.
     #[arg(long)]
     filter: Vec<String>,
-    /// Write what came of each case to this file, as JSON.
+    /// Write the result of each case to this file, as JSON.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
-    /// The same as XML that build servers read (`JUnit`).
+    /// Write the results to this file as `JUnit` XML, for build servers.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     junit: Option<Output>,
-    /// Cases that are known to fail: a file like `[{"id": "...", "reason": "..."}]`; `*` and `?` as in `--filter`.
+    /// Expect the failures in this file: `[{"id": "...", "reason": "..."}]`, with `*` and `?` as in `--filter`.
     #[arg(long)]
     waivers: Option<PathBuf>,
-    /// Write the waivers with which this run succeeds. Those of `--waivers` that are of other cases are kept.
+    /// Write waivers for all failures of this run. Waivers of `--waivers` for cases that did not run are kept.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     write_waivers: Option<Output>,
     /// Seconds to wait for an answer.
     #[arg(long, default_value_t = 10.0, value_parser = seconds)]
     timeout: f64,
-    /// Seconds for the whole run: what is not answered by then is given up.
+    /// Seconds for the whole run. The remaining cases then count as not asked.
     #[arg(long, default_value_t = 1800.0, value_parser = seconds)]
     budget: f64,
-    /// Let the program's standard error through. Without it the last line is told where the program ends.
+    /// Show the program's standard error. [default: only its last line, if the program exits]
     #[arg(long)]
     stderr: bool,
-    /// Cases that are asked before the first is answered.
+    /// Number of cases that are sent before the first answer.
     #[arg(long, default_value_t = 64)]
     window: usize,
-    /// End at the first case that fails; the others are not asked.
+    /// Stop at the first failing case.
     #[arg(long)]
     fail_fast: bool,
-    /// Failures to print.
+    /// Number of failures to print.
     #[arg(long, default_value_t = 10)]
     show: usize,
     /// The program and its arguments.
@@ -97,7 +97,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let report = runner.run(|_| progress.inc(1));
     progress.finish_and_clear();
     let report = report?;
-    // The verdict is known even where its files cannot be written.
+    // Print first: writing the files may fail.
     print(&report, args, start.elapsed());
     if let Some(path) = &args.json {
         write_json(path, &report.to_json())?;
@@ -111,7 +111,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(report.is_conforming())
 }
 
-/// The suite of a folder, or the program's own.
+/// Loads the suite of a folder, or the built-in suite.
 pub(crate) fn load(folder: Option<&Path>) -> Result<Suite, Box<dyn std::error::Error>> {
     Ok(match folder {
         Some(folder) => Suite::load(folder).map_err(|error| format!("{}: {error}", folder.display()))?,
@@ -119,7 +119,7 @@ pub(crate) fn load(folder: Option<&Path>) -> Result<Suite, Box<dyn std::error::E
     })
 }
 
-/// The cases of a level with such ids.
+/// Selects the cases of a level whose ids match a filter.
 pub(crate) fn select(mut suite: Suite, level: Option<Level>, filters: &[String]) -> Result<Suite, String> {
     let patterns: Vec<_> = filters.iter().map(|filter| wildmatch::WildMatch::new(filter)).collect();
     let is_wanted = |id: &str| patterns.is_empty() || patterns.iter().any(|pattern| pattern.matches(id));
@@ -128,7 +128,7 @@ pub(crate) fn select(mut suite: Suite, level: Option<Level>, filters: &[String])
     suite.profiles.retain(|profile| !profile.cases.is_empty());
     if suite.profiles.is_empty() {
         let withdrawn = filters.iter().find_map(|filter| Withdrawn::of(filter));
-        let why = || "no case is of this level and has such an id".to_owned();
+        let why = || "no case has this level and a matching id".to_owned();
         return Err(withdrawn.map_or_else(why, ToString::to_string));
     }
     Ok(suite)
@@ -142,7 +142,7 @@ fn print(report: &Report, args: &Args, took: Duration) {
     let is_whole = args.level.is_none() && args.filter.is_empty();
     let verdict = match (report.is_conforming(), is_whole) {
         (true, true) => "conforms in what it names",
-        // Nobody knows of the other cases.
+        // The verdict says nothing about the other cases.
         (true, false) => "passes what was chosen",
         (false, _) => "does not conform",
     };
@@ -159,7 +159,7 @@ fn print(report: &Report, args: &Args, took: Duration) {
     for verdict in bad.iter().take(args.show) {
         let CaseResult { id, outcome, waived, why, .. } = verdict;
         if let Some(reason) = waived {
-            say!("{id}: waived ({reason}), and passes: the waiver is not needed any more");
+            say!("{id}: waived ({reason}), but passes: remove the waiver");
         } else {
             say!(
                 "{id}: {}: {outcome}\n  why: {why}\n  clauses {}",
@@ -193,7 +193,7 @@ fn print(report: &Report, args: &Args, took: Duration) {
             counts[column.unwrap_or(names.len())] += 1;
         }
     }
-    // What was not asked at all is in the sum.
+    // The summary line counts the cases that were not asked.
     rows.retain(|(_, counts)| counts[..5].iter().chain(&counts[6..]).any(|&count| count > 0));
     let row = |(profile, counts): (&str, [u64; 7])| {
         [profile.to_owned()].into_iter().chain(counts.map(|count| count.to_string())).collect()

@@ -16,51 +16,51 @@ use crate::output::{say, write_file};
 use crate::places::{self, Output};
 use crate::{Outcome, camera};
 
-/// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack beside them.
+/// Write a page that steps through traversals: the tree, the bits, the lookups, and the oracle's stack.
 ///
-/// One HTML file that needs nothing else and no network. Without a case it shows the papers' example, backtracking from
-/// key 22 with trail 1000 to key 3, or for wide trees an example of eight children. Open it in a browser. Arrow keys
-/// step, Home and End go to the ends, digits choose the traversal, space plays, + and - zoom, 0 shows the whole tree; a
-/// clause's id shows the clause; `FILE.html#method=hashed&step=6` is a link to a step.
+/// The page is one HTML file and needs no network. Without a case it shows the papers' example, backtracking from key
+/// 22 with trail 1000 to key 3; for wide trees, an example with eight children. Arrow keys step, Home and End go to the
+/// ends, digits choose the traversal, space plays, + and - zoom, 0 shows the whole tree. A clause's id opens the
+/// clause. `FILE.html#method=hashed&step=6` is a link to a step.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless explain -o example.html\n  \
     stackless explain examples/data/torus.ply --pixel 256,340 --method wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: what the ray through a pixel does in it. Needs
-    /// --pixel.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: show the ray through a pixel. Needs --pixel.
     #[arg(group = "what", requires = "pixel")]
     scene: Option<PathBuf>,
-    /// The pixel, from the upper left.
+    /// Pixel of the ray, counted from the upper left corner.
     #[arg(long, value_name = "X,Y", value_parser = pixel, requires = "scene")]
     pixel: Option<[u32; 2]>,
     #[command(flatten)]
     camera: camera::Options,
-    /// How the scene's hierarchy is built, as in `stackless trace`.
+    /// Builder of the scene's hierarchy.
     #[arg(long, default_value_t, value_parser = build::builder())]
     build: Builder,
-    /// Wide trees instead of binary ones, of 2, 4 or 8 children a node. [default: 8 where a wide traversal is named]
+    /// Use wide trees instead of binary trees, with 2, 4 or 8 children per node. [default: 8 if --method is a wide
+    /// traversal]
     #[arg(long, value_name = "CHILDREN", value_parser = clap::value_parser!(u32), conflicts_with_all = ["file", "suite_case"])]
     wide: Option<u32>,
-    /// A case as `stackless check` prints it.
+    /// Show a case that `stackless check` printed.
     #[arg(long = "case", value_name = "FILE", group = "what")]
     file: Option<PathBuf>,
-    /// A case of the conformance suite whose level is trace, of a binary or a wide tree.
+    /// Show a case of the conformance suite, of the level trace, with a binary or a wide tree.
     #[arg(long, value_name = "ID", group = "what")]
     suite_case: Option<String>,
-    /// Only these traversals, separated by commas, of binary or of wide trees (`stackless methods` lists them); the page
-    /// opens with the first.
+    /// Show only these traversals, separated by commas, of binary or of wide trees (`stackless methods` lists them).
+    /// The page opens with the first.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     method: Vec<Traversal>,
-    /// The page, a .html file; `-` is the standard output.
+    /// Write the page to this .html file; `-` is the standard output.
     #[arg(short, long, value_name = "FILE", value_parser = places::file_as("html"))]
     output: Output,
 }
 
-/// Options that only `lab explain` has.
+/// Options of `lab explain` only.
 #[derive(Clone, Copy, Default, clap::Args)]
 pub(crate) struct Extra {
-    /// A random tree with a tape: random decisions, one after the other, in place of a ray's.
+    /// Show a random tree with a tape: a sequence of random decisions instead of a ray.
     #[arg(long, value_name = "SEED", group = "what")]
     tape: Option<u64>,
 }
@@ -86,9 +86,9 @@ fn page(args: &Args, tape: Option<u64>) -> Result<Page, Error> {
     let ask = args.suite_case.as_deref().map(suite_case).transpose()?;
     let is_wide = !wide.is_empty() || args.wide.is_some() || matches!(ask, Some(Ask::TraceWide(_)));
     match (is_wide, ask) {
-        (true, _) if !binary.is_empty() => Err("--method: traversals of binary trees do not run on wide ones".into()),
+        (true, _) if !binary.is_empty() => Err("--method: traversals of binary trees do not run on wide trees".into()),
         (true, Some(Ask::TraceWide(walk))) => of_walk(args, &walk, &wide),
-        (true, Some(_)) => Err("--suite-case: its tree is binary, and a traversal of wide trees is named".into()),
+        (true, Some(_)) => Err("--suite-case: its tree is binary, expected traversals of binary trees".into()),
         (true, None) => wide_page(args, tape, &wide),
         (false, ask) => binary_page(args, tape, ask, &binary),
     }
@@ -104,7 +104,7 @@ fn binary_page(args: &Args, tape: Option<u64>, ask: Option<Ask>, methods: &[Meth
     Ok(Page { html: explain::page(&title, &case, methods), nodes: case.size(), title })
 }
 
-/// The case with its title, and the traversals that it names.
+/// Loads the case with its title and the traversals that it names.
 fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Case, Vec<Method>), Error> {
     if let Some((scene, ray, title)) = pixel_ray(args)? {
         return Ok((title, explain::of_ray(&build::binary(args.build, &scene)?, &ray), Vec::new()));
@@ -123,7 +123,7 @@ fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Cas
     if let (Some(id), Some(ask)) = (&args.suite_case, ask) {
         let case = match ask {
             Ask::Trace(walk) => walk.case().map_err(|error| error.to_string()),
-            _ => Err("expected one whose level is trace".to_owned()),
+            _ => Err("expected a case of the level trace".to_owned()),
         };
         let case = case.map_err(|error| format!("case '{id}': {error}"))?;
         return Ok((format!("Suite case {id}"), case, Vec::new()));
@@ -133,7 +133,7 @@ fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Cas
 
 fn wide_page(args: &Args, tape: Option<u64>, methods: &[WideMethod]) -> Result<Page, Error> {
     if args.file.is_some() {
-        return Err("--case: its tree is binary, and a traversal of wide trees is named".into());
+        return Err("--case: its tree is binary, expected traversals of binary trees".into());
     }
     let children = args.wide.unwrap_or(8);
     if let (None, Some(seed)) = (&args.scene, tape) {
@@ -166,7 +166,6 @@ fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMet
     Page { html, nodes: case.tree.node_count(), title }
 }
 
-/// A case of the suite.
 fn of_walk(args: &Args, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
     let id = args.suite_case.as_deref().unwrap_or_default();
     let page = match walk.slots {
@@ -189,13 +188,13 @@ fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod])
     Ok(Page { html, nodes: tree.node_count(), title })
 }
 
-/// The scene and its ray, with a title, where one is named.
+/// The scene with its ray and a title, if a scene is given.
 fn pixel_ray(args: &Args) -> Result<Option<(Scene, Ray, String)>, Error> {
     let (Some(path), Some([x, y])) = (&args.scene, args.pixel) else { return Ok(None) };
     let scene = Scene::load(path)?;
     let camera::Size { width, height } = args.camera.size;
     if x >= width || y >= height {
-        return Err(format!("pixel {x},{y} is outside of the image of {width}x{height} pixels").into());
+        return Err(format!("pixel {x},{y} is outside the image of {width}x{height} pixels").into());
     }
     let pixel = y as usize * width as usize + x as usize;
     let ray = args.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;

@@ -11,14 +11,14 @@ use crate::places::{self, Output};
 use crate::run::command_line;
 use crate::stackless::Stackless;
 
-/// Write the manual pages, or the completions for a shell.
+/// Write the manual pages, or completions for a shell.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless generate man -o man1\n  \
     stackless generate bash > ~/.local/share/bash-completion/completions/stackless")]
 pub(crate) struct Args {
-    /// What is written: `man`, one page of the command and one of each subcommand, or completions for this shell.
+    /// The output: `man` (a page for the command and one for each subcommand), or completions for this shell.
     what: What,
-    /// The folder of the pages, which is made where it is missing: one like `share/man/man1`. Completions go to the
+    /// Folder for the manual pages, such as `share/man/man1`. It is created if it is missing. Completions go to the
     /// standard output.
     #[arg(short, long, value_name = "DIR", required_if_eq("what", "man"), value_parser = places::folder())]
     output: Option<Output>,
@@ -54,9 +54,9 @@ pub(crate) fn run(args: &Args) -> Outcome {
 
 /// Writes the pages of section 1.
 fn pages(folder: &Path) -> Outcome {
-    std::fs::create_dir_all(folder).map_err(|error| format!("{}: cannot be made: {error}", folder.display()))?;
+    std::fs::create_dir_all(folder).map_err(|error| format!("{}: cannot be created: {error}", folder.display()))?;
     let mut command = command_line::<Stackless>();
-    // Subcommands get their whole names and the options of all.
+    // Subcommands get their full names and the global options.
     command.build();
     let mut pages = Vec::new();
     collect(command, &mut pages);

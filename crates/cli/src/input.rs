@@ -1,4 +1,4 @@
-//! What the subcommands take in: scenes, names of traversals and words.
+//! Input of the subcommands: scenes, rays, names of traversals and words.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -21,33 +21,33 @@ use crate::places::{self, Output};
 pub(crate) struct Scene<V: Position = Vec3> {
     pub(crate) name: String,
     pub(crate) mesh: Mesh<V>,
-    /// The face of the file that each triangle is cut from; none of a scene that is made.
+    /// The face of the file from which each triangle is cut; empty for a generated scene.
     pub(crate) faces: Vec<u32>,
 }
 
-/// Why there is no such scene.
+/// The reason why a scene cannot be loaded.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum LoadError {
-    /// The file holds none.
+    /// The mesh file is invalid.
     #[error(transparent)]
     File(SceneError),
-    /// The name is neither that of a mesh file nor that of a made scene.
-    #[error("{_0}, or the name of a made scene: {}", MADE.join(", "))]
+    /// The name is neither a mesh file nor a generated scene.
+    #[error("{_0}, or the name of a generated scene: {}", MADE.join(", "))]
     Name(SceneError),
 }
 
-/// In records a scene is its name.
+/// A record stores the name of a scene.
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.name.serialize(serializer)
     }
 }
 
-/// Names of the scenes that are made and not read.
+/// Names of the generated scenes.
 pub(crate) const MADE: [&str; 3] = ["strands", "stadium", "soup"];
 
 impl<V: Position> Scene<V> {
-    /// Reads a mesh file, or makes the scene of this name.
+    /// Reads a mesh file, or generates the scene of this name.
     pub(crate) fn load(path: &Path) -> Result<Self, LoadError> {
         let name = path.to_string_lossy();
         if let Some(mesh) = made(&name) {
@@ -64,19 +64,19 @@ impl<V: Position> Scene<V> {
         Ok(Self { name: stem.into_owned(), mesh: loaded.mesh, faces: loaded.faces })
     }
 
-    /// The number of a triangle in answers: its own, or that of its face in the file.
+    /// The number of a triangle in answers: its own number, or the number of its face in the file.
     pub(crate) fn number(&self, prim: u32, of_face: bool) -> u32 {
         let face = self.faces.get(prim as usize).filter(|_| of_face);
         face.copied().unwrap_or(prim)
     }
 
-    /// How many triangles have no area.
+    /// Number of triangles without area.
     pub(crate) fn degenerate(&self) -> usize {
         let triangles = (0..self.mesh.triangles().len()).map(|i| Triangle(self.mesh.triangle(i)));
         triangles.filter(Triangle::is_degenerate).count()
     }
 
-    /// Returns the note about them, if there are any.
+    /// Returns a note about triangles without area, if there are any.
     pub(crate) fn degenerate_note(&self) -> Option<String> {
         let of = output::count(self.mesh.triangles().len() as u64, "triangle");
         let say = |count, what| format!("{}: {count} of {of} {what}", self.name);
@@ -88,12 +88,12 @@ impl<V: Position> Scene<V> {
     }
 }
 
-/// The format that the extension of a file names; without one, `other`.
+/// The format of a file by its extension, or `other` without an extension.
 pub(crate) fn format(path: &Path, other: Format) -> Result<Format, UnknownFormat> {
     Ok(Format::of(path)?.unwrap_or(other))
 }
 
-/// The format of a file to write, which a terminal may not get as bytes.
+/// The format of an output file. Refuses to write binary files to a terminal.
 pub(crate) fn format_to_write(output: &Output, other: Format) -> Result<Format, Box<dyn Error>> {
     let format = format(output, other)?;
     if format == Format::Npy {
@@ -102,7 +102,7 @@ pub(crate) fn format_to_write(output: &Output, other: Format) -> Result<Format, 
     Ok(format)
 }
 
-/// Reads rays or points, and returns the name of their file for messages. `-` is the standard input.
+/// Reads rays or points. Also returns the file name for messages. `-` is the standard input.
 pub(crate) fn rows<R: Row>(path: &Path, format: Format) -> Result<(&Path, LoadedRows<R>), RowFileError> {
     if path.as_os_str() != "-" {
         return Ok((path, stackless_scene::read_rows(path, format)?));
@@ -122,13 +122,12 @@ fn made<V: Position>(name: &str) -> Option<Mesh<V>> {
     Mesh::new(mesh.vertices().iter().map(same).collect(), mesh.triangles().to_vec()).ok()
 }
 
-/// Loads all scenes before anything is done with one, so that a bad one is known at once.
+/// Loads all scenes before any work starts, so that errors appear early.
 pub(crate) fn scenes<V: Position>(paths: &[PathBuf]) -> Result<Vec<Scene<V>>, LoadError> {
     paths.iter().map(|path| Scene::load(path)).collect()
 }
 
-/// Reads the name of one of these. Help and errors list the names, completions offer them, and one that is nearly right
-/// is answered with what may be meant.
+/// Reads a name from a list. Help, errors and completions list the names, and errors suggest similar names.
 pub(crate) fn names<T: Copy + Send + Sync + 'static>(
     all: impl IntoIterator<Item = T>,
     name: fn(T) -> &'static str,
@@ -136,7 +135,7 @@ pub(crate) fn names<T: Copy + Send + Sync + 'static>(
     listed(all.into_iter().map(|value| (PossibleValue::new(name(value)), value)).collect())
 }
 
-/// The same, where each name comes with its help.
+/// Like [`names`], with a help text for each name.
 pub(crate) fn listed<T: Copy + Send + Sync + 'static>(
     all: Vec<(PossibleValue, T)>,
 ) -> impl TypedValueParser<Value = T> {
@@ -166,7 +165,7 @@ fn wide() -> impl Iterator<Item = (PossibleValue, wide::Method)> {
     wide::Method::ALL.into_iter().map(|method| (PossibleValue::new(method.name()).help(method.help()), method))
 }
 
-/// Reads the name of a level of instructions, of those that this machine has.
+/// Reads the name of an instruction level of this machine.
 pub(crate) fn simd() -> impl TypedValueParser<Value = lanes::Level> {
     listed(lanes::levels().into_iter().map(|(name, level)| (PossibleValue::new(name), level)).collect())
 }

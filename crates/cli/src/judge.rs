@@ -1,4 +1,4 @@
-//! Answers against the truth.
+//! Compares answers with the truth.
 
 use std::collections::BTreeMap;
 
@@ -9,14 +9,14 @@ use stackless_check::floats_between;
 
 use crate::output::bar;
 
-/// What is asked of a ray.
+/// The kind of query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Query {
     Closest,
     Any,
 }
 
-/// Triangle and distance; of any hit the distance means nothing.
+/// Triangle and distance. The distance is meaningless for any-hit queries.
 pub(crate) type Answer = Option<(u32, f32)>;
 
 /// Rays, each with all its true hits in their order.
@@ -25,26 +25,26 @@ pub(crate) struct Truths {
     hits: Vec<Vec<(u32, f32)>>,
 }
 
-/// What one who answers got wrong.
+/// Counts of wrong answers.
 #[derive(Debug, Default)]
 pub(crate) struct Counts {
     pub(crate) rays: u64,
-    /// Rays that truly hit.
+    /// Number of rays that truly hit.
     pub(crate) hits: u64,
     pub(crate) false_misses: u64,
     pub(crate) false_hits: u64,
-    /// Both hit, another triangle than the closest; for any hit, one that is not hit.
+    /// A triangle other than the closest; for any-hit queries, a triangle that the ray misses.
     pub(crate) wrong_primitives: u64,
-    /// Another answer for another tree or order.
+    /// Answers that differ for another tree or order.
     pub(crate) order_differences: u64,
-    /// How often a distance was so many floats away from the nearest to the true one.
+    /// Number of distances by their error, in floats from the correctly rounded distance.
     pub(crate) ulps: BTreeMap<u32, u64>,
-    /// The first error, in words, and the index of its ray among those that are judged.
+    /// The first error, in words, and the index of its ray among the judged rays.
     pub(crate) offence: Option<(usize, String)>,
 }
 
 impl Truths {
-    /// Asks for the truth about at most `n` of the rays, from all over: number `i` is ray `chosen(i, n, all)`.
+    /// Computes the truth about at most `n` of the rays, evenly spaced: number `i` is ray `chosen(i, n, all)`.
     pub(crate) fn new(truth: &Truth, rays: &[Ray], n: usize, name: &str) -> Self {
         let n = n.min(rays.len());
         let rays: Vec<_> = (0..n).map(|i| rays[chosen(i, n, rays.len())]).collect();
@@ -59,7 +59,6 @@ impl Truths {
         Self { rays, hits }
     }
 
-    /// The rays.
     pub(crate) fn rays(&self) -> &[Ray] {
         &self.rays
     }
@@ -69,8 +68,8 @@ impl Truths {
         self.hits.get(i)?.first().copied()
     }
 
-    /// What is wrong about answers to all rays. The first of a ray is the one that is judged, and the others must be
-    /// the same.
+    /// Counts the errors of answers to all rays. The first answer of each ray is judged; the remaining answers must be
+    /// equal to it.
     pub(crate) fn counts<const N: usize>(&self, query: Query, answers: &[[Answer; N]]) -> Counts {
         let mut counts = Counts::default();
         for (i, ((ray, truth), answers)) in self.rays.iter().zip(&self.hits).zip(answers).enumerate() {
@@ -80,13 +79,13 @@ impl Truths {
     }
 }
 
-/// The ray that is number `i` of `n` from all over.
+/// The index of ray `i` of `n` evenly spaced rays.
 pub(crate) const fn chosen(i: usize, n: usize, all: usize) -> usize {
     i * all / n
 }
 
 impl Counts {
-    /// `truth` has all hits in their order; the first answer is the one that is judged.
+    /// `truth` has all hits in order.
     fn add<const N: usize>(
         &mut self,
         query: Query,
@@ -111,12 +110,12 @@ impl Counts {
         self.order_differences += u64::from(differs);
         if (error.is_some() || differs || ulps.is_some_and(|ulps| ulps > 0)) && self.offence.is_none() {
             let (ray, truth) = (csv_line(ray), truth.first());
-            let what = format!("the ray {ray} truly has the closest hit {truth:?}, and gets {answers:?}");
+            let what = format!("ray {ray}: expected the closest hit {truth:?}, found {answers:?}");
             self.offence = Some((index, what));
         }
     }
 
-    /// The error of the distance that this share of the distances does not exceed, in floats.
+    /// The error of distances at this quantile, in floats.
     pub(crate) fn quantile(&self, share: f64) -> Option<u32> {
         let wanted = (share * self.ulps.values().sum::<u64>() as f64).ceil() as u64;
         let mut seen = 0;
@@ -127,7 +126,7 @@ impl Counts {
         self.ulps.iter().find(reaches).map(|(&ulps, _)| ulps)
     }
 
-    /// The mean error of the distances, in floats.
+    /// The mean error of distances, in floats.
     pub(crate) fn mean(&self) -> Option<f64> {
         let sum: f64 = self.ulps.iter().map(|(&ulps, &count)| f64::from(ulps) * count as f64).sum();
         (!self.ulps.is_empty()).then(|| sum / self.ulps.values().sum::<u64>() as f64)
@@ -141,7 +140,7 @@ enum Error {
     WrongPrimitive,
 }
 
-/// What is wrong, and how many floats the distance is away from the true one where the triangle is right.
+/// The error of an answer, and for the right triangle the error of the distance, in floats.
 fn verdict(query: Query, truth: &[(u32, f32)], answer: Answer) -> (Option<Error>, Option<u32>) {
     let Some(closest) = truth.first() else { return (answer.map(|_| Error::FalseHit), None) };
     let Some((prim, t)) = answer else { return (Some(Error::FalseMiss), None) };
@@ -152,7 +151,7 @@ fn verdict(query: Query, truth: &[(u32, f32)], answer: Answer) -> (Option<Error>
     }
 }
 
-/// Whether two exact answers may stand beside each other.
+/// Whether two exact answers agree.
 pub(crate) fn is_same(query: Query, a: Answer, b: Answer) -> bool {
     let bits = |answer: Answer| answer.map(|(prim, t)| (prim, t.to_bits()));
     match query {
@@ -161,7 +160,7 @@ pub(crate) fn is_same(query: Query, a: Answer, b: Answer) -> bool {
     }
 }
 
-/// Rays as the user can give them back to `stackless trace`.
+/// A ray in the CSV format of `stackless trace`.
 pub(crate) fn csv_line(ray: &Ray) -> String {
     let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().to_array(), ray.direction().to_array());
     format!("{ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax())

@@ -1,4 +1,4 @@
-//! The command `lab`: measurements and cases that only those who work on the library ask for.
+//! The command `lab`: measurements and cases for developers of the library.
 
 mod accuracy;
 mod boxes;
@@ -12,13 +12,13 @@ use clap::Parser;
 use crate::run::{Outcome, Program};
 use crate::{bench, check, explain, merge, stress};
 
-/// Measurements and cases for those who work on the library. `stackless` has what its users ask for.
+/// Measurements and cases for developers of the library. `stackless` is the command for users.
 #[derive(Parser)]
 #[command(name = "lab", version, arg_required_else_help = true)]
 pub(crate) enum Lab {
     /// Measure run time against error, for every triangle test with every box test.
     Accuracy(accuracy::Args),
-    /// `stackless bench`, with instructions, single calls and double precision to choose.
+    /// `stackless bench`, with a choice of instructions, single calls and double precision.
     Bench {
         #[command(flatten)]
         args: bench::Args,
@@ -27,14 +27,14 @@ pub(crate) enum Lab {
     },
     /// Count how often each box test skips a box that its ray touches.
     Boxes(boxes::Args),
-    /// `stackless check`, with trees, words and places to choose.
+    /// `stackless check`, with a choice of trees, words and places.
     Check {
         #[command(flatten)]
         args: check::Args,
         #[command(flatten)]
         extra: check::Extra,
     },
-    /// `stackless explain`, of random trees too.
+    /// `stackless explain`, also of random trees.
     Explain {
         #[command(flatten)]
         args: explain::Args,
@@ -45,13 +45,13 @@ pub(crate) enum Lab {
     Figure(figure::Args),
     /// Add up the records of the parts of a run of `accuracy` or `boxes`.
     Merge(merge::Args),
-    /// Measure what a mesh in motion costs, by refits, optimizing and builds.
+    /// Measure the cost of a moving mesh, with refits, optimised refits and builds.
     Motion(motion::Args),
-    /// Measure the parts of a ray's time, and what is saved where a part is left out.
+    /// Measure the parts of a ray's time, and the savings of omitting a part.
     Parts(parts::Args),
-    /// Time the dearest query of each hard family beside an ordinary one.
+    /// Time the most expensive query of each hard family, relative to an ordinary query.
     Price(price::Args),
-    /// `stackless stress`, with every triangle test and box test to choose.
+    /// `stackless stress`, with a choice of triangle and box tests.
     Stress {
         #[command(flatten)]
         args: stress::Args,
@@ -60,7 +60,7 @@ pub(crate) enum Lab {
     },
 }
 
-/// Those whose records `lab merge` adds up.
+/// Commands whose records `lab merge` accepts.
 const MERGED: [merge::Command; 3] = [
     merge::command::<accuracy::Found>(),
     merge::command::<accuracy::SecondaryFound>(),

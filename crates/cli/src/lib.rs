@@ -1,7 +1,7 @@
-//! The command `stackless`, and `lab`, which has what only those who work on the library ask for.
+//! The commands `stackless` and `lab`. `lab` is for developers of the library.
 
 #![deny(unsafe_code)]
-#![cfg_attr(not(feature = "lab"), allow(dead_code, unused_imports, reason = "`lab` alone uses some of it"))]
+#![cfg_attr(not(feature = "lab"), allow(dead_code, unused_imports, reason = "only `lab` uses some items"))]
 
 mod bench;
 mod build;

@@ -1,4 +1,4 @@
-//! `stackless merge`: records of parts, added up.
+//! `stackless merge`: adds up records of parts.
 
 mod outside;
 
@@ -21,13 +21,13 @@ use outside::{FuzzCounts, MachineCounts, MutantCounts};
 
 /// Add up the records of all parts of a run.
 ///
-/// Records are the files that `check`, `stress` and `accuracy` write with --json; --shard I/N runs a part. The sum of all parts is
-/// the record of the whole run, however it was cut. Records of different runs or versions, parts that overlap, and parts
-/// that are missing are refused. The exit code is 1 if anything went wrong in a part.
+/// Records are the files that `check`, `stress` and `accuracy` write with --json; --shard I/N runs a part. The sum of
+/// all parts is the record of the whole run, for every division into parts. Records of different runs or versions,
+/// overlapping parts and missing parts are refused. The exit code is 1 if a part has an error.
 ///
-/// The mutants of the adapters (tests/adapters/mutate.py), the extracted machines (spec/rocq/extract) and the fuzz targets
-/// (fuzz/run.sh) write records too. Runs of a fuzz target are no parts of a whole: they add up, and one that is given twice
-/// counts once.
+/// The mutants of the adapters (tests/adapters/mutate.py), the extracted machines (spec/rocq/extract) and the fuzz
+/// targets (fuzz/run.sh) also write records. Runs of a fuzz target are independent, so they add up without being parts
+/// of a whole. A repeated record counts once.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless check --shard 1/2 --json a.json\n  \
@@ -41,7 +41,7 @@ pub(crate) struct Args {
     /// Write the sum to this file.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
-    /// Draw the cases and the bound on the rate of errors over the processor time of the parts, as SVG.
+    /// Draw the cases and the bound on the error rate, over the processor time of the parts, as SVG.
     #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
 }
@@ -50,8 +50,8 @@ pub(crate) fn run(args: &Args, commands: &[Command]) -> Outcome {
     let read = |path: &PathBuf| {
         let text = read_text(path).map_err(|error| format!("{}: cannot be read: {error}", path.display()))?;
         let refused = |error: serde_json::Error| {
-            let what = if error.is_data() { "no record" } else { "not JSON" };
-            format!("{}: {what}: {error}; expected a record, as --json writes it", path.display())
+            let what = if error.is_data() { "not a record" } else { "not JSON" };
+            format!("{}: {what}: {error}; expected a record that --json wrote", path.display())
         };
         Ok((path.display().to_string(), parse_json(&text).map_err(refused)?))
     };
@@ -59,23 +59,23 @@ pub(crate) fn run(args: &Args, commands: &[Command]) -> Outcome {
     let command_of = |value: &Value| value.pointer("/run/command").and_then(Value::as_str).map(str::to_owned);
     let (path, first) = &records[0];
     let Some(command) = command_of(first) else {
-        return Err(format!("{path}: no record of a run: expected `command` in `run`").into());
+        return Err(format!("{path}: not a record: expected `command` in `run`").into());
     };
     match commands.iter().find(|(name, _)| *name == command) {
         Some((_, merge)) => merge(args, records),
-        None => Err(format!("{path}: a record of `{command}`, which does not add up here").into()),
+        None => Err(format!("{path}: records of `{command}` cannot be merged by this command").into()),
     }
 }
 
-/// The name of a command in records, and what adds such records up.
+/// The name of a command in records, and the function that merges such records.
 pub(crate) type Command = (&'static str, fn(&Args, Vec<(String, Value)>) -> Outcome);
 
-/// What adds up the records of a command.
+/// The function that merges the records of a command.
 pub(crate) const fn command<C: Counts>() -> Command {
     (C::COMMAND, merge::<C>)
 }
 
-/// Those whose records `stackless merge` adds up.
+/// Commands whose records `stackless merge` accepts.
 pub(crate) const COMMANDS: [Command; 5] = [
     command::<Summary>(),
     command::<StressCounts>(),
@@ -88,7 +88,8 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     let mut records = Vec::new();
     for (path, value) in values {
         check_numbers(&value).map_err(|what| format!("{path}: {what}"))?;
-        let record: Record<C> = serde_json::from_value(value).map_err(|error| format!("{path}: no record: {error}"))?;
+        let record: Record<C> =
+            serde_json::from_value(value).map_err(|error| format!("{path}: not a record: {error}"))?;
         record.run.check().and_then(|()| record.counts.check(&record.run)).map_err(|what| format!("{path}: {what}"))?;
         records.push((path, record));
     }
@@ -106,7 +107,7 @@ fn merge<C: Counts>(args: &Args, values: Vec<(String, Value)>) -> Outcome {
     Ok(is_well)
 }
 
-/// The records in the order of what they have done, as a picture.
+/// Draws the records, in the order of their first cases.
 fn draw<C: Counts>(records: &mut [(String, Record<C>)]) -> String {
     let first = |run: &Run| run.parts.values().flat_map(|part| &part.done).map(|[from, _]| *from).min();
     records.sort_by_key(|(_, record)| first(&record.run));
@@ -118,9 +119,9 @@ fn draw<C: Counts>(records: &mut [(String, Record<C>)]) -> String {
     plot_campaign(&title, &records.iter().map(stretch).collect::<Vec<_>>())
 }
 
-/// The sum of the records, if they are the parts of one run.
+/// Returns the sum of the records, if they are the parts of one run.
 fn add<C: Counts>(records: Vec<(String, Record<C>)>) -> Result<Record<C>, String> {
-    // Who did what: to name both if it was done twice.
+    // The ranges with their files: the error of a range that occurs twice names two files.
     let mut done: BTreeMap<String, Vec<([u64; 2], String)>> = BTreeMap::new();
     let mut sum: Option<(String, Record<C>)> = None;
     for (path, record) in records {
@@ -147,10 +148,10 @@ fn add<C: Counts>(records: Vec<(String, Record<C>)>) -> Result<Record<C>, String
     Ok(record)
 }
 
-/// Missing ranges that an error names.
+/// Number of missing ranges in an error.
 const SHOWN: usize = 10;
 
-/// Refuses ranges that are not the whole of a list, each number once.
+/// Refuses ranges that do not cover a list exactly once.
 fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(), String> {
     ranges.sort_unstable();
     let (mut next, mut last, mut missing) = (0, None, Vec::new());
@@ -171,10 +172,10 @@ fn cover(name: &str, of: u64, mut ranges: Vec<([u64; 2], String)>) -> Result<(),
     Err(format!("{count} of {of} {name} are missing: {}{more}", shown.join(", ")))
 }
 
-/// More than this a run does not count, nor take seconds. Every such integer is a float, too.
+/// The maximum of a count or of seconds. A float represents every integer up to it.
 const MOST: f64 = (1_u64 << 53) as f64;
 
-/// Refuses numbers that no run counts. The field `asked` may have any numbers.
+/// Refuses numbers that no run can count. The field `asked` may have any numbers.
 fn check_numbers(value: &Value) -> Result<(), String> {
     match value {
         Value::Number(number) if number.as_f64().is_none_or(|number| !(0.0..=MOST).contains(&number)) => {
@@ -190,7 +191,7 @@ fn check_numbers(value: &Value) -> Result<(), String> {
 }
 
 impl Run {
-    /// Refuses ranges that are not within their list.
+    /// Refuses ranges outside their list.
     fn check(&self) -> Result<(), String> {
         for (name, Part { of, done }) in &self.parts {
             if let Some(range) = done.iter().find(|[from, to]| from >= to || to > of) {
@@ -200,7 +201,7 @@ impl Run {
         Ok(())
     }
 
-    /// Takes what another part of this run has done. The error says what is different in it.
+    /// Adds the finished ranges of another part of this run. The error names the difference between the runs.
     fn join(&mut self, other: Self) -> Result<(), String> {
         let named = |what: &str| Err(format!("another {what}"));
         if self.command != other.command {

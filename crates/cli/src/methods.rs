@@ -1,4 +1,4 @@
-//! `stackless methods`: the traversals by name.
+//! `stackless methods`: lists the traversals.
 
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
@@ -9,5 +9,5 @@ pub(crate) fn run() {
     let binary = Method::ALL.map(|method| [method.name(), "binary", method.help()]);
     let wide = wide::Method::ALL.map(|method| [method.name(), "wide", method.help()]);
     let rows = binary.into_iter().chain(wide).map(|row| row.map(str::to_owned).to_vec());
-    say!("{}", table(&["method", "trees", "how it comes back"], 3, rows.collect()));
+    say!("{}", table(&["method", "trees", "backtracking"], 3, rows.collect()));
 }

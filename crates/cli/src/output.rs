@@ -1,4 +1,4 @@
-//! What the subcommands put out: tables, bars, files.
+//! Output of the subcommands: tables, progress bars, files.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -16,29 +16,29 @@ macro_rules! say {
 }
 pub(crate) use say;
 
-/// Whether the details are wanted too.
+/// Whether details are printed.
 static IS_VERBOSE: AtomicBool = AtomicBool::new(false);
 
-/// From now on the details are said too.
+/// Enables the output of details.
 pub(crate) fn be_verbose() {
     IS_VERBOSE.store(true, Ordering::Relaxed);
 }
 
-/// Prints the details that are wanted by few.
+/// Prints details, with `--verbose` only.
 pub(crate) fn detail(what: impl fmt::Display) {
     if IS_VERBOSE.load(Ordering::Relaxed) {
         say!("{what}");
     }
 }
 
-/// Rows of text below a header: the first columns are names, the others numbers.
+/// Rows of text below a header: columns of names, then columns of numbers.
 pub(crate) struct Table {
     pub(crate) header: Vec<String>,
     pub(crate) names: usize,
     pub(crate) rows: Vec<Vec<String>>,
 }
 
-/// Where there was nothing to divide by, or nothing to divide, a dash stands for the number.
+/// Returns a table. A dash replaces quotients that are undefined or infinite.
 pub(crate) fn table(header: &[&str], names: usize, mut rows: Vec<Vec<String>>) -> Table {
     for cell in rows.iter_mut().flat_map(|row| row.iter_mut().skip(names)) {
         if ["NaN", "inf", "-inf"].iter().any(|none| cell.starts_with(none)) {
@@ -48,7 +48,7 @@ pub(crate) fn table(header: &[&str], names: usize, mut rows: Vec<Vec<String>>) -
     Table { header: header.iter().map(ToString::to_string).collect(), names, rows }
 }
 
-/// Plain, names to the left, numbers to the right.
+/// Plain text, names aligned left, numbers right.
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut table = comfy_table::Table::new();
@@ -63,7 +63,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// What a command has found: in print, lines and tables one below the other.
+/// A finding of a command: a line or a table.
 pub(crate) enum Block {
     Line(String),
     Table(Table),
@@ -78,23 +78,23 @@ pub(crate) fn print(blocks: &[Block]) {
     }
 }
 
-/// Where lines go: to the standard output, to the standard error, nowhere.
+/// Destination of lines: standard output, standard error or none.
 static LINES: AtomicU8 = AtomicU8::new(TO_OUTPUT);
 const TO_OUTPUT: u8 = 0;
 const TO_ERROR: u8 = 1;
 const TO_NOBODY: u8 = 2;
 
-/// From now on nothing is said but errors.
+/// Suppresses all output except errors.
 pub(crate) fn be_quiet() {
     LINES.store(TO_NOBODY, Ordering::Relaxed);
 }
 
-/// From now on the standard output is a file's alone: lines go to the standard error, unless nothing is said at all.
+/// Reserves standard output for a file: lines go to standard error, unless they are suppressed.
 pub(crate) fn leave_to_file() {
     let _ = LINES.compare_exchange(TO_OUTPUT, TO_ERROR, Ordering::Relaxed, Ordering::Relaxed);
 }
 
-/// Prints a line. That the standard output cannot be written is told by [`finish`].
+/// Prints a line. [`finish`] reports a failed write.
 pub(crate) fn print_line(line: fmt::Arguments<'_>) {
     let line = line.to_string();
     match LINES.load(Ordering::Relaxed) {
@@ -104,12 +104,12 @@ pub(crate) fn print_line(line: fmt::Arguments<'_>) {
     }
 }
 
-/// Prints a line to the standard error. Nobody can be told that it cannot be written.
+/// Prints a line to standard error. A failed write cannot be reported.
 pub(crate) fn warn(line: &str) {
     let _ = writeln!(io::stderr(), "{}", plain(line));
 }
 
-/// Prints why the command could not run. What others have written is part of it, and may be long.
+/// Prints the error of a command, truncated: it may contain long text from other programs.
 pub(crate) fn print_error(error: &dyn fmt::Display) {
     const SHOWN: usize = 2000;
     let text = error.to_string();
@@ -121,8 +121,8 @@ pub(crate) fn print_error(error: &dyn fmt::Display) {
 #[cfg(unix)]
 const EBADF: i32 = 9;
 
-/// Whether the process was started without a standard output (`>&-`). Rust opens `/dev/null` in its place before `main`,
-/// so that is known only earlier.
+/// Whether the process was started without a standard output (`>&-`). The check runs before `main`, because Rust then
+/// opens `/dev/null` instead.
 #[cfg(unix)]
 static IS_CLOSED: AtomicBool = AtomicBool::new(false);
 
@@ -137,10 +137,10 @@ ctor::declarative::ctor! {
     }
 }
 
-/// The standard output.
+/// Locks the standard output.
 ///
 /// # Errors
-/// It was closed when the process was started.
+/// The standard output was closed when the process started.
 pub(crate) fn stdout() -> io::Result<io::StdoutLock<'static>> {
     #[cfg(unix)]
     if IS_CLOSED.load(Ordering::Relaxed) {
@@ -149,10 +149,10 @@ pub(crate) fn stdout() -> io::Result<io::StdoutLock<'static>> {
     Ok(io::stdout().lock())
 }
 
-/// Why the standard output could not be written, the first time that it could not.
+/// The first error of writing to standard output.
 static FAILURE: Mutex<Option<io::Error>> = Mutex::new(None);
 
-/// Notes a failure. A reader that has gone away is none.
+/// Records a failed write. A closed pipe is no failure.
 pub(crate) fn note(written: io::Result<()>) {
     if let Err(error) = written
         && error.kind() != io::ErrorKind::BrokenPipe
@@ -161,17 +161,18 @@ pub(crate) fn note(written: io::Result<()>) {
     }
 }
 
-/// Writes out what is still held back.
+/// Flushes the standard output.
 ///
 /// # Errors
-/// The standard output could not be written, now or earlier.
+/// A write to standard output failed, now or earlier.
 pub(crate) fn finish() -> Result<(), String> {
     note(io::stdout().flush());
     let failure = FAILURE.lock().unwrap_or_else(PoisonError::into_inner).take();
     failure.map_or(Ok(()), |error| Err(format!("standard output: cannot be written: {error}")))
 }
 
-/// Text for a terminal: whoever wrote it does not move the cursor, colour what follows, or turn its direction.
+/// Escapes control characters, so that foreign text cannot move the cursor, change colours or reverse the text
+/// direction.
 fn plain(text: &str) -> Cow<'_, str> {
     let acts = |c: char| {
         c != '\n' && c.is_control()
@@ -183,7 +184,7 @@ fn plain(text: &str) -> Cow<'_, str> {
     text.chars().flat_map(|c| if acts(c) { c.escape_unicode().collect() } else { vec![c] }).collect()
 }
 
-/// A progress bar on standard error, where that is a terminal and somebody wants to know.
+/// A progress bar on standard error, hidden with `--quiet` or without a terminal.
 pub(crate) fn bar(length: u64, what: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg} {wide_bar} {human_pos}/{human_len} {rate} eta {eta}");
     let shown = |state: &ProgressState, text: &mut dyn fmt::Write| _ = text.write_str(&rate(state.per_sec()));
@@ -194,7 +195,7 @@ pub(crate) fn bar(length: u64, what: &str) -> ProgressBar {
         .with_message(what.to_owned())
 }
 
-/// How many a second, as in `3.2 M/s`.
+/// A rate, such as `3.2 M/s`.
 fn rate(per_second: f64) -> String {
     let (unit, size) = match per_second {
         1e9.. => ("G/s", 1e9),
@@ -205,13 +206,13 @@ fn rate(per_second: f64) -> String {
     format!("{:.1} {unit}", per_second / size)
 }
 
-/// Writes a value as JSON, whole or not at all.
+/// Writes a value as JSON, atomically.
 pub(crate) fn write_json(path: &Path, value: &impl serde::Serialize) -> Result<(), String> {
     let text = serde_json::to_string_pretty(value).map_err(|error| error.to_string())?;
     write_file(path, |file| writeln!(file, "{text}"))
 }
 
-/// Writes a file, whole or not at all; `-` is the standard output, whose failure [`finish`] tells.
+/// Writes a file atomically. For `-` it writes to standard output, and [`finish`] reports failures.
 pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), String> {
     if path.as_os_str() == "-" {
         note(stdout().and_then(|mut output| write(&mut output)));
@@ -221,12 +222,12 @@ pub(crate) fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::
         .map_err(|error| format!("{}: cannot be written: {error}", path.display()))
 }
 
-/// How many of what: `1 ray`, `2,000 rays`.
+/// A number with its noun: `1 ray`, `2,000 rays`.
 pub(crate) fn count(number: u64, what: &str) -> String {
     format!("{} {what}{}", grouped(number), if number == 1 { "" } else { "s" })
 }
 
-/// A number with thousands apart.
+/// A number with thousands separators.
 pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let first = digits.len() % 3;

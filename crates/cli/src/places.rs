@@ -1,4 +1,4 @@
-//! Which places a command line reads and writes, looked at before the work begins.
+//! Checks the inputs and outputs of a command line before the work starts.
 
 use std::io::IsTerminal as _;
 use std::ops::Deref;
@@ -11,7 +11,7 @@ use stackless_scene::{check_writable, resolve};
 
 use crate::output;
 
-/// Where a command writes.
+/// Destination of output.
 #[derive(Clone, Debug)]
 pub(crate) enum Output {
     /// A file; `-` is the standard output.
@@ -29,8 +29,7 @@ impl Deref for Output {
     }
 }
 
-/// The path of a file to write. `-` is the standard output, which then is the file's alone: what else is said goes to
-/// the standard error.
+/// Reads the path of an output file. With `-` the file has the standard output, and messages go to standard error.
 pub(crate) fn file() -> impl TypedValueParser<Value = Output> {
     OsStringValueParser::new().try_map(|name| named(name.into()))
 }
@@ -45,34 +44,33 @@ fn named(path: PathBuf) -> Result<Output, String> {
     Ok(Output::File(path))
 }
 
-/// The same for a file of which we write one kind only: a name that promises another is refused.
+/// Like [`file`], for a single kind of file. Refuses other extensions.
 pub(crate) fn file_as(kind: &'static str) -> impl TypedValueParser<Value = Output> {
     OsStringValueParser::new().try_map(move |name| match Path::new(&name).extension() {
         Some(other) if !other.eq_ignore_ascii_case(kind) => {
-            Err(format!("the extension says .{}, expected .{kind}: no other kind is written", other.display()))
+            Err(format!("extension .{}: expected .{kind}", other.display()))
         }
         _ if kind == "png" => refuse_terminal(Path::new(&name), kind).and_then(|()| named(name.into())),
         _ => named(name.into()),
     })
 }
 
-/// Refuses to write a kind of file that is no text to a terminal.
+/// Refuses to write a binary file to a terminal.
 pub(crate) fn refuse_terminal(path: &Path, kind: &str) -> Result<(), String> {
     if path.as_os_str() == "-" && io::stdout().is_terminal() {
-        return Err(format!("the standard output is a terminal, and .{kind} is no text: expected a file or a pipe"));
+        return Err(format!("the standard output is a terminal, and .{kind} is binary: expected a file or a pipe"));
     }
     Ok(())
 }
 
-/// The path of a folder to write to.
+/// Reads the path of an output folder.
 pub(crate) fn folder() -> impl TypedValueParser<Value = Output> {
-    OsStringValueParser::new().try_map(|name| {
-        if name.is_empty() { Err("expected the name of a folder") } else { Ok(Output::Folder(name.into())) }
-    })
+    OsStringValueParser::new()
+        .try_map(|name| if name.is_empty() { Err("expected a folder name") } else { Ok(Output::Folder(name.into())) })
 }
 
-/// Refuses a command line that writes to one place twice, that overwrites what it reads, or that names a place where
-/// nothing can be written. Arguments are known by their types: a new option is looked at without a word here.
+/// Refuses a command line with two outputs at one place, an output that overwrites an input, or a place that is not
+/// writable. Finds the arguments by their types, so new options are included.
 pub(crate) fn check(matches: &ArgMatches) -> Result<(), String> {
     let (mut outputs, mut inputs) = (Vec::new(), Vec::new());
     collect(matches, &mut outputs, &mut inputs);
@@ -82,10 +80,10 @@ pub(crate) fn check(matches: &ArgMatches) -> Result<(), String> {
         let failed = |error: io::Error| format!("{name}: cannot be written: {error}");
         let place = output.place().map_err(failed)?;
         if taken.contains(&place) {
-            return Err(format!("{name}: two outputs would be written there, expected a place for each"));
+            return Err(format!("{name}: two outputs have this path, expected different paths"));
         }
         if inputs.iter().any(|input| fs::canonicalize(input).is_ok_and(|input| input == place)) {
-            return Err(format!("{name}: the command reads it and would overwrite it, expected another place"));
+            return Err(format!("{name}: this output would overwrite an input, expected another path"));
         }
         output.check_writable().map_err(failed)?;
         taken.push(place);
@@ -95,7 +93,7 @@ pub(crate) fn check(matches: &ArgMatches) -> Result<(), String> {
 
 fn collect(matches: &ArgMatches, outputs: &mut Vec<Output>, inputs: &mut Vec<PathBuf>) {
     for id in matches.ids() {
-        // An argument of another type has no such values.
+        // Arguments of other types yield no values.
         outputs.extend(matches.try_get_many(id.as_str()).ok().flatten().into_iter().flatten().cloned());
         inputs.extend(matches.try_get_many(id.as_str()).ok().flatten().into_iter().flatten().cloned());
     }
@@ -109,13 +107,12 @@ impl Output {
         matches!(self, Self::File(path) if path.as_os_str() == "-")
     }
 
-    /// What tells places apart, by whatever path they are named.
+    /// A canonical path, equal for all paths to one place.
     fn place(&self) -> io::Result<PathBuf> {
         match self {
-            // No path of a file is so short.
             Self::File(path) if self.is_stream() => Ok(path.clone()),
             Self::File(path) => resolve(path),
-            // One that is not there yet is made before the work, with all that it is in.
+            // A missing folder is created before the work starts, with its parents.
             Self::Folder(path) => Ok(fs::canonicalize(path).unwrap_or_else(|_| path.clone())),
         }
     }

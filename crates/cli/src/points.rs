@@ -1,4 +1,4 @@
-//! `stackless contains` and `stackless nearest`: the user's points and a mesh.
+//! `stackless contains` and `stackless nearest`: queries for the points of a file.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -19,10 +19,11 @@ use crate::output::{self, count, say, write_file};
 use crate::places::{self, Output};
 use crate::trace::in_chunks;
 
-/// Say which points are inside of a closed mesh.
+/// Classify points: inside, on or outside a closed mesh.
 ///
-/// A point is a line of x,y,z; the answer is a line with its exact place: inside, surface or outside. JSON lines (.jsonl)
-/// hold `{"point":[0,0,0]}` and `{"place":"inside"}`. `NumPy` arrays (.npy) hold rows of 3 floats, and records of place.
+/// A point is a line of x,y,z. The answer is a line with its exact place: inside, surface or outside. JSON lines
+/// (.jsonl) have `{"point":[0,0,0]}` and `{"place":"inside"}`. `NumPy` arrays (.npy) have rows of 3 floats, and records
+/// of place.
 #[derive(clap::Args)]
 #[command(
     override_usage = "stackless contains [OPTIONS] --points <FILE>\n       --output <FILE> <SCENE>",
@@ -32,17 +33,17 @@ use crate::trace::in_chunks;
 pub(crate) struct Contains {
     #[command(flatten)]
     input: Input,
-    /// How crossings tell inside from outside.
+    /// Rule that decides whether a point is inside.
     #[arg(long, default_value = "parity", value_parser = rule())]
     rule: Rule,
 }
 
-/// Find the nearest point of a mesh, and how far it is.
+/// Find the nearest point of a mesh and its distance.
 ///
-/// A point is a line of x,y,z; the answer is a line of prim,distance,x,y,z,u,v,place: the index of the triangle in the
-/// file's order, the exact distance, rounded once, the nearest point, the weights of the triangle's second and third
-/// corner there, and whether that is in its interior, on an edge or at a vertex. Without a triangle within --radius, prim
-/// is -1 and the other columns are empty. Files are as those of `contains`.
+/// A point is a line of x,y,z. The answer is a line of prim,distance,x,y,z,u,v,place. prim is the index of the triangle
+/// in the file's order. distance is exact, then rounded once. x,y,z is the nearest point; u and v are the weights of
+/// the triangle's second and third corner there. place is interior, edge or vertex of the triangle. Without a triangle
+/// within --radius, prim is -1 and the other columns are empty. Files have the formats of `contains`.
 #[derive(clap::Args)]
 #[command(
     override_usage = "stackless nearest [OPTIONS] --points <FILE>\n       --output <FILE> <SCENE>",
@@ -52,13 +53,13 @@ pub(crate) struct Contains {
 pub(crate) struct Nearest {
     #[command(flatten)]
     input: Input,
-    /// Give distances inside of the mesh a minus sign, by a rule. [default: no signs]
+    /// Give distances of inside points a minus sign; this rule defines the inside. [default: no signs]
     #[arg(long, value_parser = rule())]
     signed: Option<Rule>,
-    /// Search no farther than this, rounded as points are. [default: no limit]
+    /// Maximum distance, rounded like the points. [default: no limit]
     #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, value_parser = radius)]
     radius: Option<f64>,
-    /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
+    /// Write the index of the face in the file instead of the triangle's index: a polygon is several triangles.
     #[arg(long)]
     faces: bool,
 }
@@ -66,21 +67,21 @@ pub(crate) struct Nearest {
 /// The input files and the output of both commands.
 #[derive(clap::Args)]
 struct Input {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// File of the points (.csv, .jsonl, .npy), x,y,z each; `-` is the standard input.
+    /// Read the points from this file (.csv, .jsonl, .npy): x,y,z each. `-` is the standard input.
     #[arg(long, value_name = "FILE")]
     points: PathBuf,
-    /// File for the answers (.csv, .jsonl, .npy); written whole or not at all. `-` is the standard output.
+    /// Write the answers to this file (.csv, .jsonl, .npy). `-` is the standard output.
     #[arg(short, long, value_name = "FILE", value_parser = places::file())]
     output: Output,
-    /// The format of files without such an extension.
+    /// Format of files without such an extension.
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
     format: Format,
-    /// How the hierarchy is built.
+    /// Builder of the hierarchy.
     #[arg(long, default_value_t, value_parser = build::builder())]
     build: Builder,
-    /// Round mesh and points to single precision. A note says how many numbers are rounded and by how much. [default:
+    /// Round mesh and points to single precision. A note reports the number and size of the rounding errors. [default:
     /// double precision]
     #[arg(long)]
     single: bool,
@@ -157,7 +158,7 @@ impl Nearest {
     }
 }
 
-/// The nearest point, and where on its triangle it is.
+/// The nearest point and its place on the triangle.
 type Found<V> = (Near<V>, Foot<<V as Vector>::Real>);
 
 const fn word(place: Place) -> &'static str {
@@ -199,7 +200,7 @@ impl<V: Precision + Position> Asked<V> {
         Ok(write_file(output, |file| write_table(file, columns, rows(), self.written_as))?)
     }
 
-    /// Returns the solid by a rule, and warns of repeated faces that cancel out.
+    /// Returns the solid by a rule. Warns of repeated faces, which cancel out by parity.
     fn solid<'s>(
         &'s self,
         tracer: &'s Tracer<&'s WideBvh<8, V>, V>,

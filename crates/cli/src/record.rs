@@ -1,5 +1,5 @@
-//! Records of runs: what was asked, which parts of it were done, and what was counted. Records of parts add up to that of
-//! the whole.
+//! Records of runs: the options, the finished parts and the counts. Records of parts add up to the record of the whole
+//! run.
 
 use std::collections::BTreeMap;
 use std::ops::{Range, RangeInclusive};
@@ -17,30 +17,30 @@ use crate::Outcome;
 use crate::input::Scene;
 use crate::output::{grouped, say, write_json};
 
-/// What a command counts. A sum does not depend on the order of its terms.
+/// The counts of a command. A sum does not depend on the order of its terms.
 pub(crate) trait Counts: Serialize + DeserializeOwned {
     /// Name of the command in records.
     const COMMAND: &str;
 
-    /// Refuses counts that do not fit the parts of the run, or one another.
+    /// Refuses counts that contradict the parts of the run or each other.
     fn check(&self, run: &Run) -> Result<(), String>;
 
-    /// Adds what another part counted.
+    /// Adds the counts of another part.
     fn add(&mut self, other: Self);
 
     /// The sum, as in `3,000 trees, 0 rays, 27 methods, 0 disagreements`.
     fn sum(&self) -> String;
 
-    /// Prints what went wrong, and the details for whoever wants them.
+    /// Prints the errors, and with `--verbose` the details.
     fn print(&self);
 
-    /// Number of cases, and how many went wrong.
+    /// Number of cases, and number of errors.
     fn cases_and_errors(&self) -> [u64; 2];
 
     /// Whether anything was compared.
     fn is_empty(&self) -> bool;
 
-    /// What the counts of a whole run say of all such cases.
+    /// Returns the statistical claim about all such cases, from the counts of a whole run.
     fn claim(&self, _: &Run) -> String {
         claim(self.cases_and_errors())
     }
@@ -54,34 +54,34 @@ pub(crate) struct Record<C> {
     pub(crate) counts: C,
 }
 
-/// What was run.
+/// The command and its options.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Run {
     pub(crate) command: String,
     pub(crate) version: String,
-    /// What the program was built from, if it was built with `STACKLESS_COMMIT` set.
+    /// The commit, if `STACKLESS_COMMIT` was set during the build.
     pub(crate) commit: Option<String>,
-    /// All that the counts depend on.
+    /// All options that affect the counts.
     pub(crate) asked: Map<String, Value>,
-    /// What is counted through, by name.
+    /// The finished ranges of each list, by the name of the list.
     pub(crate) parts: BTreeMap<String, Part>,
     /// Seconds of processor time, by machine.
     pub(crate) machines: BTreeMap<String, f64>,
 }
 
-/// Which numbers of a list were done.
+/// The finished numbers of a list.
 #[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Part {
     /// Length of the list.
     pub(crate) of: u64,
-    /// From, and up to but without.
+    /// Half-open ranges.
     pub(crate) done: Vec<[u64; 2]>,
 }
 
 impl Run {
-    /// A run that has done nothing yet.
+    /// A run with nothing finished.
     pub(crate) fn of<C: Counts>(asked: impl IntoIterator<Item = (&'static str, Value)>) -> Self {
         Self {
             command: C::COMMAND.to_owned(),
@@ -93,7 +93,7 @@ impl Run {
         }
     }
 
-    /// The numbers of a list that this part of the run does. They are noted as done.
+    /// Returns the numbers of a list that this part of the run handles, and records them as finished.
     pub(crate) fn take(&mut self, shard: Shard, name: &str, of: u64) -> Range<u64> {
         let range = shard.range(of);
         let done = if range.is_empty() { Vec::new() } else { vec![[range.start, range.end]] };
@@ -101,13 +101,13 @@ impl Run {
         range
     }
 
-    /// How many cases were done of the lists with such names.
+    /// Number of finished cases in the lists with these names.
     pub(crate) fn done(&self, is_wanted: impl Fn(&str) -> bool) -> u64 {
         let parts = self.parts.iter().filter(|(name, _)| is_wanted(name));
         parts.flat_map(|(_, part)| &part.done).fold(0, |sum, [from, to]| sum.saturating_add(to - from))
     }
 
-    /// Refuses a part with nothing in it.
+    /// Refuses an empty part.
     pub(crate) fn refuse_empty(&self, shard: Shard) -> Result<(), String> {
         if self.parts.values().all(|part| part.done.is_empty()) {
             return Err(format!("part {shard} of the run is empty, expected fewer parts"));
@@ -115,7 +115,7 @@ impl Run {
         Ok(())
     }
 
-    /// Prints the counts and writes the record. All is well if nothing went wrong.
+    /// Prints the counts and writes the record. Returns whether there are no errors.
     pub(crate) fn finish<C: Counts>(mut self, counts: C, json: Option<&Path>) -> Outcome {
         let is_well = say_verdict(&counts);
         counts.print();
@@ -127,7 +127,7 @@ impl Run {
     }
 }
 
-/// Refuses a number of a record that is not within these.
+/// Refuses a number of a record outside this range.
 pub(crate) fn expect(what: &str, number: u64, within: RangeInclusive<u64>) -> Result<(), String> {
     match (within.start(), within.end()) {
         _ if within.contains(&number) => Ok(()),
@@ -136,14 +136,14 @@ pub(crate) fn expect(what: &str, number: u64, within: RangeInclusive<u64>) -> Re
     }
 }
 
-/// Says first of all whether all is well, and what was counted.
+/// Prints the verdict and the sum of the counts.
 pub(crate) fn say_verdict<C: Counts>(counts: &C) -> bool {
     let [_, errors] = counts.cases_and_errors();
     say!("{}: {}", if errors == 0 { "pass" } else { "FAIL" }, counts.sum());
     errors == 0
 }
 
-/// The file of `--json` of a command that measures: what was measured where, and the figures.
+/// The file of `--json` of a measuring command: the figures, their source and the machine.
 #[derive(Serialize)]
 struct Figures<'a, T> {
     command: &'static str,
@@ -155,7 +155,7 @@ struct Figures<'a, T> {
     found: T,
 }
 
-/// Writes such a file. What was found is an object.
+/// Writes such a file. `found` must be an object.
 pub(crate) fn write_figures(
     path: &Path,
     command: &'static str,
@@ -166,14 +166,13 @@ pub(crate) fn write_figures(
     write_json(path, &Figures { command, version, commit, machine: machine(), scenes, found })
 }
 
-/// The machine that this runs on, in words.
+/// The machine, in words.
 pub(crate) fn machine() -> String {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     format!("{} {}, {threads} threads", std::env::consts::OS, std::env::consts::ARCH)
 }
 
-/// Adds rows to those that are the same but for their counts. Those of all parts are in one order; where one is missing,
-/// it is looked for.
+/// Adds rows to the rows that differ only in their counts. Rows have one order in all parts; a missing row is searched.
 pub(crate) fn add_rows<R>(
     rows: &mut Vec<R>,
     others: Vec<R>,
@@ -189,7 +188,7 @@ pub(crate) fn add_rows<R>(
     }
 }
 
-/// What was found in a case or for a ray.
+/// A finding in a case or for a ray.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Numbered<T> {
     pub(crate) number: u64,
@@ -197,14 +196,14 @@ pub(crate) struct Numbered<T> {
 }
 
 impl<T> Numbered<T> {
-    /// The one with the lower number.
+    /// The finding with the lower number.
     pub(crate) fn first(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         one.into_iter().chain(other).min_by_key(|found| found.number)
     }
 }
 
-/// Some of `of` rays, with their numbers. They are made in blocks, so that no part of a run has to make all: `make` gets
-/// the seed of a block and how many rays it has.
+/// The rays of `of` rays with these numbers. Blocks of rays are made separately, so a part need not make all rays.
+/// `make` receives the seed of a block and its number of rays.
 pub(crate) fn in_blocks(
     numbers: Range<u64>,
     of: u64,
@@ -221,7 +220,7 @@ pub(crate) fn in_blocks(
     })
 }
 
-/// Which scene it was, whatever its file is called.
+/// Identifies a scene, independent of its file name.
 pub(crate) fn fingerprint<V: Vector>(mesh: &Mesh<V>) -> Value {
     let corners = mesh.vertices().iter().flat_map(|vertex| vertex.widen().to_array()).map(f64::to_bits);
     let indices = mesh.triangles().iter().flatten().map(|&index| u64::from(index));
@@ -229,7 +228,7 @@ pub(crate) fn fingerprint<V: Vector>(mesh: &Mesh<V>) -> Value {
     format!("{} triangles, {hash:016x}", mesh.triangles().len()).into()
 }
 
-/// What errors in a sample say of all such cases: with none in n, their rate is below 3/n at 95 % (1 - 0.05^(1/n)).
+/// The claim about all such cases from a sample: no error in n cases bounds the rate by 3/n at 95 % (1 - 0.05^(1/n)).
 pub(crate) fn claim([cases, errors]: [u64; 2]) -> String {
     if errors > 0 {
         return format!("claim: none, {} of {} cases went wrong", grouped(errors), grouped(cases));

@@ -1,4 +1,4 @@
-//! `stackless render`: pictures of a scene, and of what traversal costs in it.
+//! `stackless render`: pictures of a scene, and heat maps of traversal cost.
 
 mod cost;
 mod picture;
@@ -24,45 +24,44 @@ pub(crate) use picture::heat_maps;
 pub(crate) use sample::Rays;
 use sample::{Sample, Samples};
 
-/// Draw a scene, or what its traversal costs, as a PNG file.
+/// Draw a scene, or the cost of its traversal, as a PNG file.
 ///
-/// The same options give the same picture, for any number of threads. Scenes are rounded to single precision, and rays are
-/// exact.
+/// The same options give the same picture, for any number of threads. The scene is rounded to single precision; answers
+/// are exact.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless render examples/data/torus.ply -o torus.png\n  \
     stackless render examples/data/room.obj --kind ao --view 5.7,1.7,2,0,1.2,2,0,1,0,75 -o ao.png\n  \
     stackless render examples/data/room.obj --heatmap nodes --method stack,skip -o nodes.png")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// The picture, a .png file; `-` is the standard output.
+    /// Write the picture to this .png file; `-` is the standard output.
     #[arg(short, long, value_name = "FILE", value_parser = places::file_as("png"))]
     output: Output,
     #[command(flatten)]
     camera: camera::Options,
-    /// Which rays each pixel stands for.
+    /// Rays of each pixel.
     #[arg(long, value_enum, default_value_t)]
     kind: Rays,
     /// Samples of each pixel. [default: 4, for ao and diffuse 16, for a heat map 1]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     spp: Option<u32>,
-    /// Colours are what the rays of a pixel cost: the mean for one ray.
+    /// Draw a heat map of this cost, the mean of the rays of a pixel.
     #[arg(long, value_enum)]
     heatmap: Option<Heat>,
-    /// The traversals whose cost is drawn, separated by commas: several beside each other, with one scale.
+    /// Traversals of the heat map, separated by commas: a panel for each, with a common scale.
     #[arg(long, value_delimiter = ',', default_value = "hashed", value_parser = input::method())]
     #[arg(hide_possible_values = true)]
     method: Vec<Method>,
-    /// How the hierarchy is built.
-    /// [default: standard, with `complete` median]
+    /// Builder of the hierarchy. [default: standard, for `complete` median]
     #[arg(long)]
     build: Option<Builder>,
-    /// Seed of what is random.
+    /// Seed of the random numbers.
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
 
-/// The share of the pixels that the scale covers: a few rays cost many times what all others do.
+/// The share of the pixels that the scale covers, because a few rays are much more expensive than the rest.
 const SCALE: f64 = 0.99;
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -70,19 +69,19 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Job::of(args, &scene).run(&scene, args.build, &args.output)
 }
 
-/// What is to be drawn.
+/// A picture to draw.
 pub(crate) struct Job {
     pub(crate) camera: Camera,
     pub(crate) rays: Rays,
     pub(crate) spp: u32,
     pub(crate) heat: Option<Heat>,
     pub(crate) methods: Vec<Method>,
-    /// Beside the traversal from the root the one from the last hit.
+    /// Also draws the cost of traversals that continue from the last hit.
     pub(crate) continues: bool,
     pub(crate) seed: u64,
 }
 
-/// A picture, and what is to be said of it.
+/// A picture and its messages.
 struct Drawn {
     png: Vec<u8>,
     lines: Vec<String>,
@@ -94,7 +93,7 @@ impl Job {
         Self { methods: args.method.clone(), spp: args.spp.unwrap_or(job.spp), ..job }
     }
 
-    /// Draws it into a file, over a tree that suits the traversals if none is named.
+    /// Draws the picture into a file. The default tree suits the traversals.
     pub(crate) fn run(&self, scene: &Scene, build: Option<Builder>, output: &Output) -> Outcome {
         let build = build::chosen(build, &self.methods);
         let Drawn { png, lines } = self.draw(scene, &build::binary(build, scene)?)?;
@@ -105,7 +104,7 @@ impl Job {
         Ok(true)
     }
 
-    /// Prepares a picture, or a heat map, with the usual number of samples.
+    /// Prepares a picture, or a heat map, with the default number of samples.
     pub(crate) fn new(rays: Rays, heat: Option<Heat>, camera: Camera, seed: u64) -> Self {
         let spp = match rays {
             Rays::Ao | Rays::Diffuse => 16,
@@ -176,7 +175,7 @@ impl Job {
     }
 }
 
-/// What a sample costs, if it is counted at all.
+/// The cost of a sample, if it is counted.
 type Count<'a> = dyn Fn(&Sample) -> Option<u64> + Sync + 'a;
 
 /// Answers for each pixel, on all threads, with a progress bar.
@@ -193,7 +192,7 @@ fn for_pixels<T: Send>(pixels: usize, name: &str, answer: impl Fn(usize) -> T + 
     answers
 }
 
-/// The mean of counts; `None` without one.
+/// The mean of counts; `None` without counts.
 fn mean(counts: impl Iterator<Item = u64>) -> Option<f64> {
     let (sum, n) = counts.fold((0, 0_u64), |(sum, n), count| (sum + count, n + 1));
     (n > 0).then(|| sum as f64 / n as f64)

@@ -1,4 +1,4 @@
-//! What `stackless` and `lab` have in common: options, threads, exit codes.
+//! The common part of `stackless` and `lab`: options, threads, exit codes.
 
 use std::any::TypeId;
 use std::process::ExitCode;
@@ -9,30 +9,30 @@ use stackless_bvh::geom::check_environment;
 
 use crate::{output, places, signals};
 
-/// A program: one of its subcommands, with arguments.
+/// A program: a subcommand with its arguments.
 pub(crate) trait Program: Parser {
     fn run(self) -> Outcome;
 }
 
-// The options of all subcommands. No documentation: clap would take it for that of the program.
+// The options of all subcommands. A doc comment here would become the description of the program.
 #[derive(Clone, Copy, Args)]
 pub(crate) struct Common {
-    /// Say nothing but errors.
+    /// Print only errors.
     #[arg(short, long, global = true)]
     quiet: bool,
-    /// Threads to use. [default: as `RAYON_NUM_THREADS` says, or one for each core]
+    /// Number of threads. [default: `RAYON_NUM_THREADS`, or one for each core]
     #[arg(long, global = true, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_THREADS)))]
     threads: Option<u32>,
-    /// Say the details too: all tables.
+    /// Print all tables.
     #[arg(short, long, global = true, conflicts_with = "quiet")]
     verbose: bool,
 }
 
-/// What a subcommand ends with: whether all was well, or why it could not run.
+/// The result of a subcommand: whether all checks passed, or the reason why it could not run.
 pub(crate) type Outcome = Result<bool, Box<dyn std::error::Error>>;
 
-/// Runs a program: 0 if all is well, 1 if a check found something wrong, 2 if it could not run (bad input or usage).
+/// Runs a program. Returns 0 on success, 1 if a check failed, 2 on bad input or usage.
 pub(crate) fn run<P: Program>() -> ExitCode {
     signals::watch();
     let matches = match command_line::<P>().try_get_matches() {
@@ -46,7 +46,7 @@ pub(crate) fn run<P: Program>() -> ExitCode {
     })
 }
 
-/// The command line. Completions are told where a file is written, as they know where one is read.
+/// The command line. Completions offer files for output options, too.
 pub(crate) fn command_line<P: Program>() -> clap::Command {
     fn hint(command: clap::Command) -> clap::Command {
         let is_output = |arg: &clap::Arg| arg.get_value_parser().type_id() == TypeId::of::<places::Output>();
@@ -72,27 +72,27 @@ fn run_with(program: impl Program, common: Common, matches: &ArgMatches) -> Outc
     program.run()
 }
 
-/// Prints the help that was asked for, or what is wrong with the command line.
+/// Prints the requested help, or the error of the command line.
 fn show(usage: &clap::Error) -> Outcome {
     if usage.exit_code() == 0 {
         output::note(output::stdout().and_then(|_| usage.print()));
         return Ok(true);
     }
-    // It is said as well as it can be.
+    // A failed write to standard error cannot be reported.
     let _ = usage.print();
     Err(Box::new(Said))
 }
 
-/// An error that its reader has been told of.
+/// An error that is already printed.
 #[derive(Debug, thiserror::Error)]
 #[error("")]
 struct Said;
 
-/// More threads than this are a mistake.
+/// The maximum number of threads.
 const MOST_THREADS: u32 = 1024;
 
-/// Starts as many threads as were asked for, or as `RAYON_NUM_THREADS` says, or one for each core, and asks each how it
-/// computes with floats.
+/// Starts the threads: the given number, or `RAYON_NUM_THREADS`, or one for each core. Checks the floating-point
+/// environment of each thread.
 fn start_threads(asked: Option<u32>) -> Result<(), String> {
     let told = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
     let asked = asked.or_else(told).unwrap_or(0);
@@ -108,7 +108,7 @@ fn start_threads(asked: Option<u32>) -> Result<(), String> {
     checks.into_iter().collect::<Result<(), _>>().map_err(|error| error.to_string())
 }
 
-/// The exit code, after all is written. What went wrong with that is an error, also of a command that went well.
+/// Returns the exit code after all output is written. A failed write is an error, even of a successful command.
 fn end(outcome: Outcome) -> ExitCode {
     let written = output::finish();
     if let Err(error) = &outcome

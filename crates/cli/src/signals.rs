@@ -1,16 +1,16 @@
-//! What a signal that ends the command leaves behind: nothing.
+//! Removes temporary files when a signal ends the command.
 
-/// From now on Ctrl-C and the like end the command as ever, but no temporary file stays.
+/// Installs handlers: Ctrl-C and similar signals end the command as usual, without temporary files.
 #[cfg(unix)]
 pub(crate) fn watch() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
     use signal_hook::low_level::emulate_default_handler;
 
-    // What whoever started us wants to be ignored (`nohup`, a shell's background) stays ignored.
+    // Signals that the parent process ignores (`nohup`, a shell's background job) stay ignored.
     let ignored = ignored();
     let wanted = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0);
-    // Where no handler can be set the signals act as they would without one.
+    // Without handlers, signals have their default effect.
     let Ok(mut signals) = Signals::new(wanted) else { return };
     std::thread::spawn(move || {
         for signal in signals.forever() {
@@ -20,7 +20,7 @@ pub(crate) fn watch() {
     });
 }
 
-/// A bit for each signal that is ignored, as Linux tells; elsewhere none is known.
+/// A bit for each ignored signal, from Linux; 0 on other systems.
 #[cfg(unix)]
 fn ignored() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
@@ -28,6 +28,6 @@ fn ignored() -> u64 {
     mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(0)
 }
 
-/// Elsewhere a temporary file may stay.
+/// Does nothing: a temporary file may remain.
 #[cfg(not(unix))]
 pub(crate) fn watch() {}

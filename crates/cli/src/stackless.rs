@@ -8,39 +8,37 @@ use crate::{bench, check, conform, explain, generate, merge, methods, points, re
 /// Exact ray tracing on triangle meshes, and stackless traversals that are checked and measured.
 #[derive(Parser)]
 #[command(name = "stackless", version, arg_required_else_help = true)]
-#[command(
-    after_help = "Exit codes: 0 all is well; 1 a check found something wrong; 2 it could not run: bad input or usage.\n\
-    Where a file is written, `-` is the standard output. Files are written whole or not at all.\n\n\
-    Examples:\n  stackless check\n  stackless render examples/data/torus.ply -o torus.png\n  stackless conform -- python3 mine.py"
-)]
+#[command(after_help = "Exit codes: 0 success; 1 a check failed; 2 bad input or usage.\n\
+    An output file of `-` is the standard output. A failed command leaves no partial file.\n\n\
+    Examples:\n  stackless check\n  stackless render examples/data/torus.ply -o torus.png\n  stackless conform -- python3 mine.py")]
 pub(crate) enum Stackless {
     /// Trace the rays of a file through a scene.
     Trace(trace::Args),
-    /// Say which points are inside of a closed mesh.
+    /// Classify points: inside, on or outside a closed mesh.
     Contains(points::Contains),
-    /// Find the nearest point of a mesh, and how far it is.
+    /// Find the nearest point of a mesh and its distance.
     Nearest(points::Nearest),
-    /// Draw a scene, or what its traversal costs.
+    /// Draw a scene, or the cost of its traversal.
     Render(render::Args),
     /// Compare every traversal with the oracle, on abstract trees and on scenes.
     Check(check::Args),
-    /// Measure the time and the errors of traversals beside each other on scenes.
+    /// Measure time and errors of traversals on scenes.
     Bench(bench::Args),
     /// Count the errors of each accuracy on hard scenes.
     Stress(stress::Args),
-    /// Say what a scene's hierarchies and hash tables take.
+    /// Summarise the hierarchies and hash tables of a scene.
     Stats(stats::Args),
-    /// List the traversals: their names, their trees, and how each comes back.
+    /// List the traversals: name, trees and method of backtracking.
     Methods,
-    /// Ask another implementation the cases of the conformance suite.
+    /// Run the conformance suite against another implementation.
     Conform(conform::Args),
-    /// The conformance suite: as files, and as what this library answers.
+    /// List, print or export the conformance suite, or answer it with this library.
     Suite(suite::Args),
     /// Write a page that steps through traversals of a small tree.
     Explain(explain::Args),
     /// Add up the records of the parts of a run.
     Merge(merge::Args),
-    /// Write the manual pages, or the completions for a shell.
+    /// Write the manual pages, or completions for a shell.
     Generate(generate::Args),
 }
 

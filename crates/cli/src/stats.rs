@@ -1,4 +1,4 @@
-//! `stackless stats`: a scene's hierarchy, its tables, and where backtracking goes.
+//! `stackless stats`: a scene's hierarchies, hash tables and backtracks.
 
 mod wide;
 
@@ -25,18 +25,18 @@ use crate::places::{self, Output};
 use crate::record::write_figures;
 use crate::{Outcome, camera};
 
-/// Say what a scene's hierarchies and its hash tables take, and how far backtracking goes: five lines, and tables with -v.
+/// Summarise the hierarchies and hash tables of a scene, and its backtracks, in five lines. Print tables with -v.
 ///
-/// The counterparts of Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays, half from
-/// a camera and half in random directions from where those hit.
+/// The figures correspond to Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays: half
+/// of the rays start at a camera, half at the hits of those rays in random directions.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless stats examples/data/room.obj\n  \
     stackless stats examples/data/torus.ply --build sbvh --plot distances.svg --json stats.json")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// How the hierarchy is built.
+    /// Builder of the hierarchy.
     #[arg(long, default_value_t, value_parser = build::builder())]
     build: Builder,
     /// Number of rays.
@@ -50,7 +50,7 @@ pub(crate) struct Args {
     /// Write the figures to this file.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
-    /// Draw the backtracking distances into this file.
+    /// Draw the backtracking distances into this .svg file.
     #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
 }
@@ -64,15 +64,15 @@ struct Stats {
     depth: u32,
     tree_bytes: usize,
     bytes_per_triangle: f64,
-    /// Triangles without an area, which rays miss.
+    /// Triangles without area, which rays miss.
     dropped: usize,
-    /// References to triangles beyond the first of each.
+    /// Additional references to triangles.
     duplicates: usize,
-    /// Time of the builder, on all threads.
+    /// Build time, on all threads.
     build_seconds: f64,
-    /// The tables that traversals use.
+    /// The tables of the traversals.
     tables: TableStats,
-    /// The other sizings.
+    /// Tables of other sizes.
     other_tables: Vec<TableStats>,
     backtracks: BacktrackStats,
     /// The hierarchy of eight children.
@@ -90,10 +90,10 @@ struct TableStats {
     #[serde(rename = "H")]
     h: u32,
     bytes: usize,
-    /// Of the tree's bytes.
+    /// Share of the tree's bytes.
     share: f64,
     direct_share: f64,
-    /// Seeds that were tried; 0 for the printed function.
+    /// Number of tried seeds; 0 for the hash function in the paper.
     reseeds: u32,
     /// On one thread.
     build_seconds: f64,
@@ -109,11 +109,11 @@ struct BacktrackStats {
     grand_uncle: f64,
     leaf: f64,
     hash: f64,
-    /// Share of the lookups in the hash that took one load.
+    /// Share of the hash lookups that took one load.
     hash_direct: f64,
-    /// Number of lookups in the hash for one ray.
+    /// Number of hash lookups per ray.
     hash_per_ray: f64,
-    /// Number over each distance, in levels.
+    /// Number of backtracks over each distance, in levels.
     distances: Vec<u64>,
 }
 
@@ -132,7 +132,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(true)
 }
 
-/// Builds tables three times each way and keeps the median; every table is certified.
+/// Builds tables three times, serially and in parallel, and keeps the median times. Every table is certified.
 fn measure(bvh: &Bvh, sizing: Sizing) -> Result<TableStats, Box<dyn std::error::Error>> {
     let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing };
     let hash = PerfectHash::build(bvh, options)?;
@@ -163,7 +163,7 @@ fn timed<T>(f: impl FnOnce() -> T) -> (T, f64) {
     (value, start.elapsed().as_secs_f64())
 }
 
-/// What was asked of the hash.
+/// Counts of hash lookups.
 #[derive(Clone, Copy, Default)]
 struct Lookups {
     all: u64,
@@ -171,7 +171,7 @@ struct Lookups {
     rays: usize,
 }
 
-/// A hash that counts.
+/// A hash that counts its lookups.
 struct Counted<'a> {
     hash: &'a PerfectHash,
     lookups: &'a Cell<Lookups>,
@@ -234,7 +234,7 @@ impl BacktrackStats {
 }
 
 impl Stats {
-    /// Builds a scene's hierarchy, and measures both with so many rays.
+    /// Builds a scene's hierarchies and measures them with `rays` rays.
     fn of(
         scene: &Scene,
         view: &View,
@@ -269,7 +269,7 @@ impl Stats {
         })
     }
 
-    /// The backtracking distances as a picture (SVG).
+    /// Draws the backtracking distances (SVG).
     fn plot(&self) -> String {
         plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
     }
@@ -278,7 +278,7 @@ impl Stats {
         let Self { tables, backtracks: shares, .. } = self;
         [
             format!(
-                "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} triangles without an area, {} references twice",
+                "{}: {} triangles, {} nodes, depth {}, {} bytes ({:.1} a triangle), built in {:.1} ms; {} triangles without area, {} duplicate references",
                 self.scene,
                 grouped(self.triangles as u64),
                 grouped(self.nodes as u64),

@@ -1,4 +1,4 @@
-//! `stackless stress`: hard scenes, and how often each accuracy errs on them.
+//! `stackless stress`: counts the errors of each accuracy on hard scenes.
 
 mod counts;
 
@@ -22,35 +22,36 @@ use crate::{Outcome, input};
 pub(crate) use counts::StressCounts;
 use counts::{DOUBLE, Row, WIDE};
 
-/// Trace the stress suite and count errors against rational arithmetic.
+/// Trace the stress suite, and count errors against rational arithmetic.
 ///
-/// Every ray goes through every traversal, as a closest-hit and as an any-hit query, on three trees; it counts as wrong
-/// if any of them errs. Wide trees are made of the same three, and traced with all instructions of the machine. In double
-/// precision each ray is traced twice: where it is, and with the scene moved by 6.4e6. max ulp is the greatest error of a
-/// distance, in floats. The exit code is 1 if `exact` errs, in binary trees, in wide ones or in double precision.
+/// Every ray goes through every traversal on three trees, as a closest-hit and as an any-hit query. It counts as wrong
+/// if any of its answers is wrong. Wide trees are made from these three trees, and traced with every instruction level
+/// of the machine. In double precision each ray is traced twice: in the original scene, and with the scene translated
+/// by 6.4e6. max ulp is the greatest error of a distance, in floats. The exit code is 1 if an `exact` answer is wrong,
+/// in binary trees, wide trees or double precision.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless stress\n  \
     stackless stress --list\n  \
     stackless stress --method wide-record,hashed --brief")]
 pub(crate) struct Args {
-    /// Only these cases, separated by commas; `--list` names them.
+    /// Run only these cases, separated by commas (`--list` prints them). [default: all]
     #[arg(long, value_delimiter = ',', hide_possible_values = true)]
     #[arg(value_parser = input::names(stress::NAMES, |name| name))]
     cases: Vec<&'static str>,
-    /// Rays of each case.
+    /// Number of rays of each case.
     #[arg(long, default_value_t = 500, value_parser = clap::value_parser!(u32).range(1..=1 << 20))]
     count: u32,
-    /// Only these traversals, separated by commas: `stackless methods` lists them.
+    /// Run only these traversals, separated by commas (`stackless methods` lists them). [default: all]
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     method: Vec<Traversal>,
-    /// List the cases and what is hard about them, and do nothing else.
+    /// List the cases with their difficulties, and exit.
     #[arg(long)]
     list: bool,
-    /// Print a line only for cases with errors.
+    /// Print only lines with errors.
     #[arg(long)]
     brief: bool,
-    /// Run one of N parts of this. `stackless merge` adds their counts up.
+    /// Run only part I of N. `stackless merge` adds up the counts.
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
     shard: Shard,
     /// Write the figures to this file.
@@ -58,15 +59,15 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-/// Options that only `lab stress` has.
+/// Options of `lab stress` only.
 #[derive(Clone, Copy, Default, clap::Args)]
 pub(crate) struct Extra {
-    /// Every triangle test with every box test, and not only the four levels.
+    /// Combine every triangle test with every box test. [default: only the four levels of accuracy]
     #[arg(long)]
     all_tests: bool,
 }
 
-/// Triangle test and box test, with the name that they go by.
+/// A triangle test and a box test, with the name of the pair.
 struct Tests {
     name: String,
     tests: (KernelName, SlabsName),
@@ -81,7 +82,7 @@ pub(crate) fn run(args: &Args, extra: Extra) -> Outcome {
         return Ok(true);
     }
     let (methods, wide_methods) = args.methods();
-    // Without a traversal of binary trees there is nothing to test in them.
+    // Without traversals of binary trees, their tests are not needed.
     let tests = if methods.is_empty() { Vec::new() } else { tests(extra.all_tests) };
     let mut run = Run::of::<StressCounts>([
         ("cases", json!(names)),
@@ -95,7 +96,7 @@ pub(crate) fn run(args: &Args, extra: Extra) -> Outcome {
     let progress = bar(names.len() as u64, "cases");
     let shown = Mutex::new(Shown::new(&names, &tests, args.brief));
     let run_case = |(i, &name): (usize, &&'static str)| {
-        // The first rays of a case do not depend on how many there are.
+        // The first rays of a case do not depend on the number of rays.
         let mut case = stress::case(name, numbers.end).ok_or("no such case").map_err(str::to_owned)?;
         case.rays.drain(..numbers.start);
         let prepared = Stress::new(&case).map_err(|error| format!("{name}: {error}"))?;
@@ -116,7 +117,7 @@ pub(crate) fn run(args: &Args, extra: Extra) -> Outcome {
         progress.suspend(|| shown.lock().unwrap_or_else(PoisonError::into_inner).take(i, &rows));
         Ok(rows)
     };
-    // One after the other, so that what is shown first is done first.
+    // `par_bridge` starts the cases in order, so that the first rows appear first.
     let cases = names.iter().enumerate().par_bridge().map(|(i, name)| run_case((i, name)).map(|rows| (i, rows)));
     let cases: BTreeMap<usize, Vec<Row>> = cases.collect::<Result<_, String>>()?;
     let rows = cases.into_values().flatten().collect();
@@ -125,7 +126,7 @@ pub(crate) fn run(args: &Args, extra: Extra) -> Outcome {
 }
 
 impl Args {
-    /// Traversals of binary and of wide trees: all, if none is named.
+    /// Traversals of binary and of wide trees. [default: all]
     fn methods(&self) -> (Vec<Method>, Vec<wide::Method>) {
         if self.method.is_empty() {
             return (Method::ALL.into(), wide::Method::ALL.into());
@@ -134,16 +135,16 @@ impl Args {
     }
 }
 
-/// The rows of the cases, printed in order as soon as they are there.
+/// Prints the rows of the cases in order, as soon as possible.
 struct Shown {
     start: Instant,
     cases: usize,
     done: usize,
-    /// The case whose rows come next, and those that came before their turn.
+    /// The next case to print, and the rows of later cases.
     next: usize,
     waiting: BTreeMap<usize, Vec<String>>,
     widths: [usize; 2],
-    /// Only rows with errors.
+    /// Prints only rows with errors.
     is_brief: bool,
 }
 
@@ -158,7 +159,7 @@ impl Shown {
 
     fn take(&mut self, case: usize, rows: &[Row]) {
         self.done += 1;
-        // Once each thread has had some.
+        // Estimate the time once each thread has finished some cases.
         if self.done == 4 * rayon::current_num_threads() {
             let seconds = self.start.elapsed().as_secs_f64() / self.done as f64 * self.cases as f64;
             if seconds >= 2.0 {

@@ -1,4 +1,4 @@
-//! `stackless suite`: the conformance suite as files, and as what this library answers.
+//! `stackless suite`: lists, exports and answers the conformance suite.
 
 #[cfg(feature = "peers")]
 mod peer;
@@ -16,7 +16,7 @@ use crate::output::{grouped, say, stdout, table, write_file};
 use crate::places::{self, Output};
 use crate::{Outcome, input};
 
-/// The conformance suite: list it, write it as files, show a case, answer it.
+/// List, print or export the conformance suite, or answer it with this library.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless suite list\n  \
@@ -31,49 +31,49 @@ pub(crate) struct Args {
 
 #[derive(Subcommand)]
 enum What {
-    /// Say what there is: profiles and numbers of cases.
+    /// List the profiles and their numbers of cases.
     List(Chosen),
-    /// Write the cases as files, for those who want no runner.
+    /// Write the cases as files, for use without a runner.
     Export {
         #[command(flatten)]
         chosen: Chosen,
-        /// The folder; `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION` are written there.
+        /// Output folder, for `vectors/LEVEL/PROFILE.json`, `index.json` and `VERSION`.
         #[arg(short, long, value_name = "DIR", value_parser = places::folder())]
         output: Output,
     },
-    /// Print cases, one JSON object a line.
+    /// Print cases, one JSON object per line.
     Show(Chosen),
-    /// Answer the cases as this library does: an implementation for `stackless conform`.
+    /// Answer the cases with this library: an implementation for `stackless conform`.
     Serve {
-        /// The traversal, of binary or of wide trees; one for each profile if none is named.
+        /// Traversal, of binary or of wide trees. [default: a suitable one for each profile]
         #[arg(long, value_parser = input::traversal())]
         method: Option<Traversal>,
-        /// The word of keys and trails.
+        /// Word of keys and trails.
         #[arg(long, value_parser = input::names(WordName::ALL, WordName::name))]
         word: Option<WordName>,
-        /// The tests of triangles and boxes: what is not exact does not conform.
+        /// Accuracy of triangle and box tests. Only exact tests conform.
         #[arg(long, default_value_t = Accuracy::Exact, value_parser = input::accuracy())]
         accuracy: Accuracy,
-        /// Answer rays as another ray tracer does.
+        /// Answer rays with another ray tracer.
         #[cfg(feature = "peers")]
         #[arg(long, conflicts_with_all = ["method", "word", "accuracy"], value_parser = peer::named)]
         peer: Option<stackless_peers::Peer>,
     },
 }
 
-/// Which cases.
+/// The selection of cases.
 #[derive(clap::Args)]
 struct Chosen {
-    /// The suite, as a folder like spec/suite; without it the program's own.
+    /// Read the suite from a folder like spec/suite. [default: the built-in suite]
     #[arg(long)]
     suite: Option<PathBuf>,
-    /// Cases of this level only.
+    /// Select only cases of this level.
     #[arg(long, value_parser = input::names(Level::ALL, Level::name))]
     level: Option<Level>,
-    /// Cases with such ids only; `*` is any text, `?` any character. Several times: those with any of them.
+    /// Select only cases whose id matches; `*` is any text, `?` any character. Repeat the option for several patterns.
     #[arg(long)]
     filter: Vec<String>,
-    /// Cases that need no features but these; without it all.
+    /// Select only cases that need no other features. [default: all cases]
     #[arg(long, value_delimiter = ',', value_parser = input::names(Feature::ALL, Feature::name))]
     features: Option<Vec<Feature>>,
 }
@@ -92,7 +92,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
             answer(&mut peer::Foreign(*peer))?;
         }
         What::Serve { method: Some(Traversal::Wide(method)), word: Some(_), .. } => {
-            return Err(format!("--word: {method} has no words to choose from").into());
+            return Err(format!("--word: {method} has a fixed word").into());
         }
         What::Serve { method, word, accuracy, .. } => {
             answer(&mut Library::new(*method, *word).with_accuracy(*accuracy))?;
@@ -101,7 +101,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(true)
 }
 
-/// Answers whoever asks, until there is nobody any more.
+/// Answers until the input ends or the output is closed.
 fn answer(implementation: &mut impl Implementation) -> io::Result<()> {
     match serve(implementation, BufReader::new(stdin()), stdout()?) {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),

@@ -1,4 +1,4 @@
-//! `stackless trace`: the user's rays through a scene.
+//! `stackless trace`: traces rays of a file through a scene.
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -26,13 +26,13 @@ use crate::places::{self, Output};
 
 /// Trace rays through a scene.
 ///
-/// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax, of which the last two may be missing; a hit is a line of prim,t,u,v,
-/// where prim is the index of the triangle in the file's order (polygons are fanned out in place), or -1 for a miss,
-/// with the other columns empty. t is the distance in lengths of the direction; u and v are the weights of the second
-/// and the third corner.
+/// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax; tmin and tmax are optional. A hit is a line of prim,t,u,v. prim is
+/// the index of the triangle in the file's order (polygons are triangulated as fans). A miss has prim -1 and empty
+/// columns. t is the distance in lengths of the direction. u and v are the weights of the second and the third corner.
 ///
-/// JSON lines (.jsonl) hold the same: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
-/// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) hold rows of 6 or 8 floats, and records of prim, t, u, v.
+/// JSON lines (.jsonl) have the same fields: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
+/// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) have rows of 6 or 8 floats, and records of prim, t, u,
+/// v.
 #[derive(clap::Args)]
 #[command(
     override_usage = "stackless trace [OPTIONS] --rays <FILE>\n       --output <FILE> <SCENE>",
@@ -42,38 +42,36 @@ use crate::places::{self, Output};
     echo 0,0,5,0,0,-1 | stackless trace soup --rays - -o - --method uncle"
 )]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// File of the rays (.csv, .jsonl, .npy), ox,oy,oz,dx,dy,dz,tmin,tmax each; `-` is the standard input.
+    /// Read the rays from this file (.csv, .jsonl, .npy): ox,oy,oz,dx,dy,dz,tmin,tmax each. `-` is the standard input.
     #[arg(long, value_name = "FILE")]
     rays: PathBuf,
-    /// File for the hits (.csv, .jsonl, .npy), prim,t,u,v each; written whole or not at all. `-` is the standard
-    /// output.
+    /// Write the hits to this file (.csv, .jsonl, .npy): prim,t,u,v each. `-` is the standard output.
     #[arg(short, long, value_name = "FILE", value_parser = places::file())]
     output: Output,
-    /// How rays and hits stand in what has no such extension.
+    /// Format of rays and hits without such an extension.
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
     format: Format,
-    /// The traversal: of binary trees, or with --single of wide ones, which are faster and always exact.
-    /// [default: afra; with --single wide-record where the accuracy is exact]
+    /// Traversal, of binary trees or with --single of wide trees, which are faster and always exact. [default: afra;
+    /// with --single and exact accuracy: wide-record]
     #[arg(long, value_parser = input::traversal())]
     method: Option<Traversal>,
-    /// How the hierarchy is built. [default: standard, for `complete`
-    /// median]
+    /// Builder of the hierarchy. [default: standard, for `complete` median]
     #[arg(long, value_parser = build::builder())]
     build: Option<Builder>,
-    /// How exact the answers are to be; other than exact only with --single.
+    /// Accuracy of the answers. Levels other than exact need --single.
     #[arg(long, default_value = "exact", value_parser = input::accuracy())]
     accuracy: Accuracy,
-    /// Find the closest hit of each ray; any hit, which is faster; all hits in order, one line each with the number of
-    /// the ray; or the number of crossings of a closed mesh.
+    /// Query for each ray: `closest` hit; `any` hit, which is faster; `all` hits in order, one line each with the index
+    /// of the ray; or the number of `crossings` of a closed mesh.
     #[arg(long, default_value = "closest", value_parser = input::names(Query::ALL, Query::name))]
     query: Query,
-    /// Write the number of the face that the file has, instead of the triangle's: a polygon is several triangles.
+    /// Write the index of the face in the file instead of the triangle's index: a polygon is several triangles.
     #[arg(long)]
     faces: bool,
-    /// Round scene and rays to single precision, and answer in it, in little more than half of the memory. A note says how
-    /// many numbers are rounded and by how much. [default: double precision]
+    /// Round scene and rays to single precision, and answer in single precision. Needs little more than half of the
+    /// memory. A note reports the number and size of the rounding errors. [default: double precision]
     #[arg(long)]
     single: bool,
 }
@@ -104,18 +102,18 @@ impl Query {
     }
 }
 
-/// Options that do not go together.
+/// Incompatible options.
 #[derive(Debug, thiserror::Error)]
 enum Unfitting {
-    #[error("--accuracy {0}: double precision is always exact; add --single, or leave --accuracy out")]
+    #[error("--accuracy {0}: double precision is always exact; add --single, or remove --accuracy")]
     Double(Accuracy),
     #[error("--accuracy {0}: {1} is always exact; choose a traversal of binary trees")]
     Accuracy(Accuracy, wide::Method),
-    #[error("--query crossings: {0} does not count them; choose a traversal of wide trees, or leave --method out")]
+    #[error("--query crossings: {0} does not count them; choose a traversal of wide trees, or remove --method")]
     Crossings(Method),
 }
 
-/// The answers for all rays, and the traversal that gave them.
+/// The answers for all rays, and the name of the traversal.
 struct Traced<F> {
     method: &'static str,
     answers: Answers<F>,
@@ -123,14 +121,14 @@ struct Traced<F> {
 
 /// One answer per ray.
 enum Answers<F = f32> {
-    /// The closest, or any.
+    /// Closest hits, or any hits.
     Hits(Vec<Option<Hit<F>>>),
     All(Vec<Vec<Hit<F>>>),
     Crossings(Vec<u32>),
 }
 
 impl Args {
-    /// Reads scene and rays, and writes what `trace` finds.
+    /// Reads scene and rays, and writes the result of `trace`.
     fn answer<V: Position>(
         &self,
         trace: impl FnOnce(&Self, &Scene<V>, &[Ray<V>]) -> Result<Traced<V::Real>, Box<dyn Error>>,
@@ -210,7 +208,7 @@ impl Args {
         }
     }
 
-    /// The traversal in single precision.
+    /// The traversal for single precision.
     fn traversal(&self) -> Result<Traversal, Unfitting> {
         match (self.method, self.accuracy) {
             (None, Accuracy::Exact) => Ok(Traversal::Wide(wide::Method::default())),
@@ -223,7 +221,7 @@ impl Args {
     }
 }
 
-/// Rays by a traversal of binary trees.
+/// Rays for a traversal of binary trees.
 struct Binary<'a, V: Vector = Vec3> {
     method: Method,
     bvh: Bvh<Triangle<V>>,
@@ -252,7 +250,7 @@ impl WithTests for Binary<'_> {
     }
 }
 
-/// The hits of all rays; of crossings there are none.
+/// Finds the hits of all rays. It does not count crossings.
 fn hits<V: Vector>(
     query: Query,
     tracer: &(impl RayQueries<Ray<V>, Hit = Hit<V::Real>> + Sync),
@@ -266,7 +264,7 @@ fn hits<V: Vector>(
 }
 
 impl<F: Float> Answers<F> {
-    /// Writes a table with a number for each triangle.
+    /// Writes a table; `number` maps triangles to the written indices.
     fn write(&self, file: impl Write, format: Format, number: impl Fn(u32) -> u32) -> io::Result<()> {
         let [u, v] = ["u", "v"].map(|name| Column::Number(name, f64::NAN));
         let [prim, t] = [Column::Integer("prim"), Column::Number("t", f64::INFINITY)];
@@ -295,7 +293,7 @@ impl<F: Float> Answers<F> {
         }
     }
 
-    /// Says how many there are.
+    /// The number of hits or crossings, in words.
     fn count(&self) -> String {
         match self {
             Self::Hits(hits) => count(hits.iter().flatten().count() as u64, "hit"),

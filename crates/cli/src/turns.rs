@@ -1,4 +1,4 @@
-//! Times of contestants that take turns, on one thread.
+//! Interleaved timing of contestants on one thread.
 
 use std::ops::Range;
 use std::time::Duration;
@@ -7,7 +7,7 @@ use cpu_time::ThreadTime;
 
 use crate::output::bar;
 
-/// What each contestant took for each chunk of the rays in each round, in seconds of the thread's processor time.
+/// Processor time of each contestant for each chunk of the rays in each round, in seconds.
 pub(crate) struct Times {
     /// By contestant, chunk and round.
     seconds: Vec<Vec<Vec<f64>>>,
@@ -15,10 +15,10 @@ pub(crate) struct Times {
     lengths: Vec<usize>,
 }
 
-/// Times `contestants` on one thread, which `trace` answers for: the contestant and its rays, out of `rays`.
+/// Times `contestants` on one thread. `trace` traces the rays of a range with a contestant.
 ///
-/// They take turns after each chunk of up to `chunk` rays, so that all are slowed down alike by other work of the
-/// machine.
+/// Contestants alternate after each chunk of up to `chunk` rays, so other work of the machine slows down all of them
+/// equally.
 pub(crate) fn take_turns(
     contestants: usize,
     rays: usize,
@@ -27,27 +27,27 @@ pub(crate) fn take_turns(
     name: &str,
     mut trace: impl FnMut(usize, Range<usize>),
 ) -> Times {
-    // Few rays are cut in some chunks as well, so that there are other rays to warm up with.
+    // A small number of rays is also divided into chunks, so that there are other rays to warm up with.
     let length = chunk.min(rays.div_ceil(8)).max(1);
     let chunks: Vec<_> = (0..rays).step_by(length).map(|start| start..rays.min(start + length)).collect();
-    // As many rays as are in a full chunk, or all others.
+    // The warm-up traces at least the rays of a full chunk, or all other chunks.
     let half = chunks.len() / 2;
     let warm_up = if rays >= 2 * chunk { half..half + 1 } else { 1..chunks.len() };
     let mut seconds = vec![vec![Vec::with_capacity(rounds); chunks.len()]; contestants];
     let progress = bar((rounds * chunks.len()) as u64, &format!("{name}, times"));
     for turn in 0..rounds * chunks.len() {
-        // Each turn starts with another contestant, so that none always has the same one before it.
+        // Each turn starts with a different contestant, so that the predecessors vary.
         for i in 0..contestants {
             let contestant = (turn + i) % contestants;
-            // Other rays than the one before, who would leave the nodes of these in the caches; and still others first,
-            // untimed, after which the caches hold what they hold in the middle of a run.
+            // Each contestant traces a different chunk than its predecessor, which would leave the nodes in the caches.
+            // Untimed other chunks first bring the caches to the state in the middle of a run.
             let c = (turn + contestant) % chunks.len();
             for ahead in warm_up.clone() {
                 trace(contestant, chunks[(c + ahead) % chunks.len()].clone());
             }
             let start = ThreadTime::now();
             trace(contestant, chunks[c].clone());
-            // No clock is that coarse, but a ratio to nothing would be none.
+            // A time of 0 would make ratios undefined.
             let time = start.elapsed().max(Duration::from_nanos(1));
             seconds[contestant][c].push(time.as_secs_f64());
         }
@@ -63,7 +63,7 @@ impl Times {
         &self.lengths
     }
 
-    /// Seconds for each chunk: the least of all rounds, as what is added is other work of the machine.
+    /// Seconds for each chunk: the least of all rounds, because other work of the machine only adds time.
     pub(crate) fn by_chunk(&self, contestant: usize) -> Vec<f64> {
         let least = |rounds: &Vec<f64>| rounds.iter().copied().fold(f64::INFINITY, f64::min);
         self.seconds[contestant].iter().map(least).collect()
@@ -77,18 +77,18 @@ impl Times {
     }
 }
 
-/// The median of the quotients of numbers that belong together.
+/// The median of the quotients of corresponding numbers.
 pub(crate) fn median_ratio(numerators: &[f64], denominators: &[f64]) -> f64 {
     median(numerators.iter().zip(denominators).map(|(a, b)| a / b).collect())
 }
 
-/// The number in the middle, the upper one of two; not a number if there is none.
+/// The median, the upper one of two; NaN without values.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
-/// The geometric mean, if there are numbers.
+/// The geometric mean; `None` without values.
 pub(crate) fn geometric_mean(values: impl Iterator<Item = f64>) -> Option<f64> {
     let logarithms: Vec<_> = values.map(f64::ln).collect();
     (!logarithms.is_empty()).then(|| (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp())
@@ -105,7 +105,7 @@ mod tests {
             let times = take_turns(contestants, rays, chunk, rounds, "", |who, range| calls.push((who, range)));
             let chunks = times.lengths().len();
             assert_eq!(times.lengths().iter().sum::<usize>(), rays);
-            // The last call of a turn is timed, after another chunk, or all others.
+            // The last call of a turn is timed, after another chunk or all other chunks.
             let turn = if rays >= 2 * chunk { 2 } else { chunks };
             assert_eq!(calls.len(), contestants * chunks * rounds * turn);
             let timed: Vec<_> = calls.chunks(turn).map(|turn| turn[turn.len() - 1].clone()).collect();

@@ -1,4 +1,4 @@
-//! The command `stackless`, run as its users run it.
+//! The command `stackless`, run like by users.
 
 #[path = "cli/bad_input.rs"]
 mod bad_input;

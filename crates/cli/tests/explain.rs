@@ -87,7 +87,7 @@ fn line(case: &Case, step: &Step) -> String {
     parts.join("  ").trim_end().to_owned()
 }
 
-/// What a page shows of a clause is what the specification says. `UPDATE=1` writes the copy anew.
+/// A page shows the specification's text of each clause. `UPDATE=1` writes the copy.
 #[test]
 fn clauses_are_those_of_the_specification() {
     let files = ["hash.md", "state.md", "traversal.md", "wide.md"];
@@ -162,7 +162,7 @@ fn look(case: &Case, method: Method, recording: &Recording, clauses: &BTreeSet<S
         assert_eq!(step.next.as_ref().map(|next| next.node), after.map(|after| after.node));
         let (Some(next), Some(after)) = (&step.next, after) else { continue };
         seen.insert(format!("{:?}", next.by));
-        // Whoever is postponed last comes next; pruning takes some away.
+        // The node that was postponed last comes next; pruning removes some nodes.
         if next.by != By::Child && method.test() != Test::Distance && !step.hit && !step.restart {
             assert_eq!(
                 step.stack.last(),
@@ -170,7 +170,7 @@ fn look(case: &Case, method: Method, recording: &Recording, clauses: &BTreeSet<S
                 "{method}"
             );
         }
-        // Key and trail alone give the next key.
+        // Key and trail determine the next key.
         if let (Some(levels), Some(key), Some(trail), false) = (next.levels, &step.key, &step.trail, step.hit) {
             let [key, trail] = [key, trail].map(|word| u128::from_str_radix(word, 2).unwrap());
             assert_eq!(
@@ -279,12 +279,12 @@ fn look_wide<const A: usize>(case: &WideCase<A>, clauses: &BTreeSet<String>, see
             assert_eq!(step.next.as_ref().map(|next| next.node), after.map(|after| after.node));
             let Some(next) = &step.next else { continue };
             seen.insert(format!("{:?}", next.by));
-            // The first that is not beyond comes next, or what is beyond by the hit that was just found.
+            // The next child is the first child before the end, or a child that the last hit has put beyond the end.
             let waits = step.stack.iter().rev().find(|node| !step.beyond.contains(node));
             if next.by != By::Child && !step.hit && !step.restart && next.by != By::Restart {
                 assert_eq!(waits, Some(&next.node), "{method}: {step:?}");
             }
-            // The deepest set that is not empty says how many levels to go, where nothing in it is beyond.
+            // The deepest nonempty set determines the number of levels, if none of its children is beyond the end.
             if let (Some(levels), Some(trail), true) =
                 (next.levels, step.trail.as_ref().or(step.sets.as_ref()), step.beyond.is_empty() && !step.hit)
             {
@@ -368,13 +368,13 @@ fn the_command_refuses_what_it_cannot_show() {
     stackless("-q explain -o - --case", &[&bad]).fails_naming(&["bad.json: ", "node 0: child 9"]);
     for (args, what) in [
         ("--suite-case nosuch", "case 'nosuch': not in the suite"),
-        ("--suite-case key/u128/child-left-root", "expected one whose level is trace"),
+        ("--suite-case key/u128/child-left-root", "expected a case of the level trace"),
         ("--suite-case trace/script/chain-left-200-two-1", "200 edges deep"),
         ("--method complete", "complete: "),
-        ("--method wide-trail,hashed", "do not run on wide ones"),
+        ("--method wide-trail,hashed", "do not run on wide trees"),
         ("--wide 4", "the example have 8 children"),
         ("--method wide-trail --suite-case trace/script/three-neither", "its tree is binary"),
-        ("soup --pixel 3,512", "pixel 3,512 is outside of the image of 512x512 pixels"),
+        ("soup --pixel 3,512", "pixel 3,512 is outside the image of 512x512 pixels"),
     ] {
         stackless(&format!("explain {args} -o -"), &[]).fails_naming(&[what]);
     }

@@ -16,7 +16,7 @@ use std::path::Path;
 
 use support::Run;
 
-/// Runs `lab` with these arguments, separated by white space, and these paths behind them.
+/// Runs `lab` with these arguments, separated by white space, and then these paths.
 fn lab(args: &str, paths: &[&Path]) -> Run {
     support::run(env!("CARGO_BIN_EXE_lab"), args, paths)
 }

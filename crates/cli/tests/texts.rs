@@ -1,4 +1,4 @@
-//! All commands of all texts, run as they stand: of the README files, of the specification, of the help's examples.
+//! Runs all commands of all texts: the README files, the specification, and the examples of the help.
 
 #![cfg(unix)]
 
@@ -8,27 +8,27 @@ use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is run, where it is built.
+/// The programs that are built and run.
 const PROGRAMS: &[&str] = if cfg!(feature = "lab") { &["stackless", "lab"] } else { &["stackless"] };
 
-/// Commands that are not run, by what stands in them, each with its reason.
+/// Commands that are not run, by a part of their text, with reasons.
 const NOT_RUN: &[(&str, &str)] = &[
-    ("sibenik.ply", "a figure of that scene, which a clone does not have"),
-    ("crytek_sponza.ply", "a picture of that scene, which a clone does not have"),
-    ("mesh.ply", "for whoever has installed the command and has no clone"),
-    ("mine", "a program of the reader's"),
-    ("my_traversal.py", "a program of the reader's"),
+    ("sibenik.ply", "a figure of a scene that a clone does not have"),
+    ("crytek_sponza.ply", "a picture of a scene that a clone does not have"),
+    ("mesh.ply", "for users without a clone"),
+    ("mine", "a user's program"),
+    ("my_traversal.py", "a user's program"),
     ("--peers", "other ray tracers are not in every build"),
     ("--peer ", "other ray tracers are not in every build"),
     ("parallel stackless", "GNU parallel is not on every machine"),
-    ("-- COMMAND", "a program of the reader's"),
-    ("fuzz/records/", "records that runs of the fuzz targets leave"),
-    ("lab accuracy --shard", "an option is named, without its scene"),
-    ("SPONZA", "what was measured on that scene"),
-    ("lab price", "minutes without optimisation; its families are asked by a test of their own"),
+    ("-- COMMAND", "a user's program"),
+    ("fuzz/records/", "records of fuzzing runs"),
+    ("lab accuracy --shard", "names an option, without a scene"),
+    ("SPONZA", "measured on a scene that a clone does not have"),
+    ("lab price", "takes minutes without optimisation; a unit test runs its families"),
 ];
 
-/// Commands that take long or stand for many, as written and as run.
+/// Commands that are slow or templates, as written and as run.
 #[rustfmt::skip]
 const RUN_AS: &[(&str, &str)] = &[
     ("stackless merge RECORD...",
@@ -155,7 +155,7 @@ fn a_command_that_fails_is_seen() {
     assert_eq!(commands_of(text), ["stackless suite list x", "stackless check", "echo 1 | stackless trace"]);
 }
 
-/// Runs the commands of a text one after the other, in a folder that looks like a clone; says which fail.
+/// Runs the commands of a text one by one, in a folder that looks like a clone. Returns the failures.
 fn failures(name: &str, commands: &[String]) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     for entry in fs::read_dir(root()).unwrap().map(Result::unwrap) {
@@ -219,8 +219,7 @@ fn texts() -> Vec<(String, Vec<String>)> {
     texts
 }
 
-/// The lines of a text's blocks that run the command, without what is said of them, and what stands in backticks and
-/// has arguments.
+/// The commands of a text: lines of code blocks, without trailing descriptions, and code in backticks with arguments.
 fn commands_of(text: &str) -> Vec<String> {
     let (mut commands, mut rest) = (Vec::new(), String::new());
     let mut is_block = false;
@@ -229,7 +228,7 @@ fn commands_of(text: &str) -> Vec<String> {
             is_block = !is_block;
         } else if is_block {
             let command = line.trim().trim_start_matches("$ ").split(" #").next().unwrap_or_default();
-            // What is said of it stands apart.
+            // Spaces separate the description.
             let command = command.split("   ").next().unwrap_or_default().trim();
             if PROGRAMS.iter().any(|program| command.starts_with(&format!("{program} ")))
                 || command.contains("| stackless ")

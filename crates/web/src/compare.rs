@@ -1,4 +1,4 @@
-//! Two answers to the same ray, beside each other.
+//! Compares two answers for one ray.
 
 use glam::Vec3;
 use stackless_bvh::geom::Ray;
@@ -6,22 +6,22 @@ use stackless_bvh::trace::Hit;
 
 use crate::scene::{SIDE, Scene};
 
-/// How the inexact answer differs from the exact one.
+/// The difference between the inexact and the exact answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Difference {
-    /// The same triangle, or none.
+    /// Equal triangles, or no hit in either answer.
     None,
-    /// The hit is lost: nothing is met.
+    /// Lost hit: the inexact answer is a miss.
     Lost,
-    /// A ghost: something is met where there is nothing.
+    /// Ghost: only the inexact answer is a hit.
     Ghost,
-    /// Another triangle is met.
+    /// Different triangles.
     Other,
 }
 
 impl Difference {
-    /// Of the exact answer and the inexact one.
+    /// The difference between the exact and the inexact answer.
     pub fn of([exact, inexact]: &[Option<Hit>; 2]) -> Self {
         match (exact, inexact) {
             (Some(_), None) => Self::Lost,
@@ -32,21 +32,21 @@ impl Difference {
     }
 }
 
-/// A row of both pictures: four bytes of colour a pixel, without any where nothing is met.
+/// A row of both pictures: four bytes of colour per pixel, all 0 for a miss.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Row {
     /// The exact picture.
     pub exact: Vec<u8>,
-    /// The inexact one.
+    /// The inexact picture.
     pub inexact: Vec<u8>,
     /// For each pixel a [`Difference`].
     pub differences: Vec<u8>,
 }
 
-/// What is counted over the rows.
+/// Counts over all rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct Totals {
-    /// Rays that meet something, exactly.
+    /// Number of rays that hit, by the exact tracer.
     pub hits: u64,
     /// [`Difference::Lost`].
     pub lost: u64,
@@ -54,7 +54,7 @@ pub struct Totals {
     pub ghosts: u64,
     /// [`Difference::Other`].
     pub other: u64,
-    /// Both answers to all rays, each bit of them, in one number each.
+    /// A hash of all bits of the answers, for each picture.
     #[serde(serialize_with = "in_hex")]
     pub digests: [u64; 2],
 }
@@ -88,7 +88,7 @@ impl Totals {
 }
 
 impl Scene {
-    /// Traces a row, counted from the top, and adds what it finds to the totals.
+    /// Traces a row, counted from the top, and adds its counts to the totals.
     pub fn row(&self, y: usize, totals: &mut Totals) -> Row {
         let mut row = Row::default();
         for x in 0..SIDE {
@@ -105,7 +105,7 @@ impl Scene {
         row
     }
 
-    /// Brighter where the surface looks at the camera, and a little different from triangle to triangle.
+    /// Brighter where the surface faces the camera, and slightly different for each triangle.
     fn colour(&self, ray: &Ray, hit: &Hit) -> [u8; 4] {
         let [a, b, c] = self.mesh().triangle(hit.prim as usize).map(|corner: Vec3| corner.as_dvec3());
         let normal = (b - a).cross(c - a).normalize_or_zero();
@@ -117,7 +117,7 @@ impl Scene {
     }
 }
 
-/// As texts, since numbers of JavaScript do not hold them.
+/// As text, because numbers of JavaScript have fewer bits.
 fn in_hex<S: serde::Serializer>(digests: &[u64; 2], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(digests.map(|digest| format!("{digest:016x}")))
 }

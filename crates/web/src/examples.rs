@@ -1,4 +1,4 @@
-//! Scenes that the page brings along.
+//! Scenes in the page.
 
 use std::path::Path;
 
@@ -16,13 +16,13 @@ use crate::scene::{SIDE, SceneFault};
 pub struct Example {
     /// The name.
     pub name: &'static str,
-    /// What it shows, in a sentence.
+    /// A description of one sentence.
     pub about: &'static str,
     pub(crate) make: fn() -> Result<(Mesh, View), SceneFault>,
 }
 
 impl Example {
-    /// All of them: the hard ones first, then ordinary ones.
+    /// All examples: the hard ones first, then ordinary ones.
     pub const ALL: [Self; 7] = [
         Self {
             name: "corners",
@@ -74,16 +74,16 @@ fn seen(mesh: Mesh) -> (Mesh, View) {
     (mesh, view)
 }
 
-/// Straight ahead along z, so that directions are as fine across as they can be.
+/// Straight along z, so that directions have the finest resolution across.
 fn along_z(distance: f32, degrees: f32) -> View {
     View { eye: Vec3::Z * distance, target: Vec3::ZERO, up: Vec3::Y, degrees }
 }
 
-/// Pixels from corner to corner.
+/// Pixels between neighbouring corners.
 const STEP: usize = 8;
 
-/// A hilly grid whose corners are on rays of the picture. Between corners rays meet edges only by chance: each corner is
-/// moved to another ray nearby.
+/// A hilly grid whose corners are on rays of the picture. Rays between corners meet edges only by chance, so each
+/// corner is moved to another ray nearby.
 fn corners() -> Result<(Mesh, View), SceneFault> {
     let view = View { eye: Vec3::ZERO, target: Vec3::NEG_Z, up: Vec3::Y, degrees: 50.0 };
     let side = SIDE / STEP;
@@ -128,7 +128,7 @@ fn grid(width: usize, points: Vec<Vec3>) -> Result<Mesh, MeshError> {
     Mesh::new(points, triangles)
 }
 
-/// Meshes as one.
+/// Joins meshes.
 fn joined(meshes: &[Mesh]) -> Result<Mesh, MeshError> {
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for mesh in meshes {

@@ -1,10 +1,10 @@
-//! What the page in the browser shows: a scene, traced exactly and inexactly beside each other, pixel by pixel.
+//! The content of the browser page: a scene, traced exactly and inexactly, pixel by pixel.
 //!
-//! [`Scene`] is read from a file's bytes or is one of [`Example::ALL`]. Its picture is [`SIDE`] pixels wide and high and
-//! is traced row by row ([`Scene::row`]), so that a page can show how far it is. A pixel can be explained: the ray's
-//! traversal, visit by visit.
+//! [`Scene`] is read from the bytes of a file, or is one of [`Example::ALL`]. Its picture is [`SIDE`] pixels wide and
+//! high. It is traced row by row ([`Scene::row`]), so that a page can show the progress. A pixel can be explained by
+//! the ray's traversal, visit by visit.
 //!
-//! Nothing here knows of browsers: `wasm/page.rs` exports it, and the tests run it natively.
+//! This crate is independent of browsers: `wasm/page.rs` exports it, and the tests run it natively.
 
 #![forbid(unsafe_code)]
 

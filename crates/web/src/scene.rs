@@ -1,4 +1,4 @@
-//! A scene that is shown, and its two tracers.
+//! A scene with its two tracers.
 
 use std::path::Path;
 
@@ -17,10 +17,10 @@ use crate::Example;
 /// Pixels along an edge of the picture.
 pub const SIDE: usize = 512;
 
-/// Most bytes of a file: what a browser's memory holds of a mesh with its hierarchies.
+/// Maximum size of a file: the memory of a browser must hold the mesh with its hierarchies.
 pub const MOST_BYTES: usize = 64 << 20;
 
-/// A mesh with its hierarchies, and where it is seen from.
+/// A mesh with its hierarchies and camera.
 #[derive(Debug)]
 pub struct Scene {
     name: String,
@@ -31,10 +31,10 @@ pub struct Scene {
     exact: Tracer,
 }
 
-/// Why a scene or an explanation of a pixel is not shown. One line.
+/// Reasons why a scene or an explanation of a pixel is not shown, in one line.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneFault {
-    /// The file is not read.
+    /// The file cannot be read.
     #[error(transparent)]
     Read(#[from] SceneError),
     /// The file is too large for a browser.
@@ -51,23 +51,23 @@ pub enum SceneFault {
     /// No example has this name.
     #[error("{0}: there is no such example")]
     NoExample(String),
-    /// Nothing can be traced in it.
+    /// The scene cannot be traced.
     #[error("{name}: {error}")]
     Build {
         /// The scene.
         name: String,
-        /// Why.
+        /// The reason.
         error: BuildError,
     },
-    /// It is too large for the fast hierarchy.
+    /// The scene is too large for the fast hierarchy.
     #[error("{name}: {error}")]
     Wide {
         /// The scene.
         name: String,
-        /// Why.
+        /// The reason.
         error: WideError,
     },
-    /// No ray leaves the camera there.
+    /// The camera has no ray for this pixel.
     #[error("the camera is too far away for a ray")]
     NoRay,
     /// The traversal cannot be shown.
@@ -76,7 +76,7 @@ pub enum SceneFault {
 }
 
 impl Scene {
-    /// The scene in a file's bytes.
+    /// Reads the scene in the bytes of a file.
     ///
     /// # Errors
     /// [`SceneFault`].
@@ -91,7 +91,7 @@ impl Scene {
         Self::new(name, note, loaded.mesh, view)
     }
 
-    /// The example of this name.
+    /// The example with this name.
     ///
     /// # Errors
     /// [`SceneFault`].
@@ -114,7 +114,7 @@ impl Scene {
         &self.name
     }
 
-    /// What to tell of the file, such as what was skipped.
+    /// A note about the file, such as skipped parts.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()
     }
@@ -129,20 +129,20 @@ impl Scene {
         &self.bvh
     }
 
-    /// The ray through the middle of a pixel. `None` outside of the picture, and where coordinates overflow.
+    /// The ray through the middle of a pixel. `None` outside the picture, and if coordinates overflow.
     pub fn ray(&self, [x, y]: [usize; 2]) -> Option<Ray> {
         (x < SIDE && y < SIDE).then(|| self.view.ray_of(y * SIDE + x, SIDE * SIDE)).flatten()
     }
 
-    /// What the ray meets, exactly and as is usual: Möller and Trumbore's test in single precision, boxes without a
-    /// margin, a stack.
+    /// The exact hit, and the hit of an ordinary tracer: Möller and Trumbore's test in single precision, boxes without
+    /// a margin, a stack.
     pub fn hits(&self, ray: &Ray) -> [Option<Hit>; 2] {
         let mut inexact = Search::<Moller32, Plain, false>::new(&self.bvh, ray);
         traverse(Stack::new(&self.bvh, &mut Vec::new()), &mut inexact, &mut ());
         [self.exact.closest(ray), inexact.hit()]
     }
 
-    /// The page that shows the traversals of the ray through a pixel, visit by visit.
+    /// The page with the traversals of the ray through a pixel, visit by visit.
     ///
     /// # Errors
     /// [`SceneFault`].

@@ -1,4 +1,4 @@
-//! That what is shown is what the library answers.
+//! The page's answers are those of the library.
 
 use stackless_bvh::geom::kernel::Moller32;
 use stackless_bvh::geom::slabs::Plain;

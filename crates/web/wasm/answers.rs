@@ -1,5 +1,5 @@
-//! What the page should show, by the native library: `answers FILE...` prints JSON, by scene, of each example that is named
-//! and each file. `tests/web` compares.
+//! The expected content of the page, by the native library. `answers FILE...` prints JSON, by scene, for the named
+//! examples and files. `tests/web` compares.
 
 use std::ffi::OsString;
 use std::path::Path;

@@ -1,9 +1,9 @@
-//! What the page calls.
+//! The functions that the page calls.
 //!
-//! Bytes go in and out by two buffers of this side: the page asks for the address of one and reads or writes there. A call
-//! that can fail answers whether it did not; then the output is the error, one line of text.
+//! Input and output use two buffers of this module: the page gets the address of a buffer and reads or writes there. A
+//! call that can fail returns whether it succeeded; after a failure the output is the error, one line of text.
 
-#![allow(unsafe_code, reason = "a name that the linker keeps is called unsafe; nothing else here is")]
+#![allow(unsafe_code, reason = "exporting a name counts as unsafe; no other code is unsafe")]
 
 use std::cell::RefCell;
 
@@ -22,7 +22,7 @@ struct Page {
     totals: Totals,
 }
 
-/// Makes room for what comes in, and says where it is.
+/// Allocates the input buffer, and returns its address.
 #[unsafe(no_mangle)]
 pub extern "C" fn input(length: usize) -> *mut u8 {
     with(|page| {
@@ -31,13 +31,13 @@ pub extern "C" fn input(length: usize) -> *mut u8 {
     })
 }
 
-/// Where the output of the last call is.
+/// The address of the output of the last call.
 #[unsafe(no_mangle)]
 pub extern "C" fn output() -> *const u8 {
     with(|page| page.output.as_ptr())
 }
 
-/// Its length.
+/// The length of the output.
 #[unsafe(no_mangle)]
 pub extern "C" fn output_length() -> usize {
     with(|page| page.output.len())
@@ -51,7 +51,7 @@ pub extern "C" fn about() {
     with(|page| page.output = about.to_string().into_bytes());
 }
 
-/// Opens the example whose name is the input.
+/// Opens the example with the name in the input.
 #[unsafe(no_mangle)]
 pub extern "C" fn open_example() -> bool {
     with(|page| {
@@ -60,7 +60,7 @@ pub extern "C" fn open_example() -> bool {
     })
 }
 
-/// Opens a file: so many bytes of the input are its name, the others what it holds.
+/// Opens a file. The first `name` bytes of the input are its name, the rest its content.
 #[unsafe(no_mangle)]
 pub extern "C" fn open_file(name_length: usize) -> bool {
     with(|page| {
@@ -70,7 +70,7 @@ pub extern "C" fn open_file(name_length: usize) -> bool {
     })
 }
 
-/// Traces rows from this one on: of each picture the colours, then the differences.
+/// Traces rows from this row on. Returns the colours of each picture, then the differences.
 #[unsafe(no_mangle)]
 pub extern "C" fn rows(first: usize, count: usize) {
     with(|page| {
@@ -85,7 +85,7 @@ pub extern "C" fn rows(first: usize, count: usize) {
     });
 }
 
-/// What is counted so far, as JSON.
+/// The counts so far, as JSON.
 #[unsafe(no_mangle)]
 pub extern "C" fn totals() {
     with(|page| page.output = json!(page.totals).to_string().into_bytes());
@@ -124,7 +124,7 @@ impl Page {
         self.answer(opened)
     }
 
-    /// The output is what was asked for, or why it is not.
+    /// Sets the output to the answer or the error.
     fn answer(&mut self, answer: Result<Vec<u8>, SceneFault>) -> bool {
         let is_there = answer.is_ok();
         self.output = answer.unwrap_or_else(|fault| fault.to_string().into_bytes());

@@ -1,4 +1,4 @@
-//! Which device, and what is watched of it.
+//! Selection of the device, and its error callbacks.
 
 use std::sync::{Arc, Mutex, OnceLock};
 
@@ -6,18 +6,19 @@ use super::{Gpu, PATIENCE};
 use crate::GpuError;
 
 impl Gpu {
-    /// Opens the first adapter whose name or backend contains `wanted` (either case), or, without it, the fastest one.
+    /// Opens the first adapter whose name or backend contains `wanted`, ignoring case. Without a name, opens the
+    /// fastest adapter.
     ///
     /// # Errors
-    /// [`GpuError::NoAdapter`] with a list of what there is.
+    /// [`GpuError::NoAdapter`] with a list of available adapters.
     pub fn open(wanted: Option<&str>) -> Result<Self, GpuError> {
         Self::open_within(wanted, |limits| limits)
     }
 
-    /// The same with limits that are changed first: a lesser device.
+    /// Like [`open`](Self::open), with modified limits: a smaller device.
     ///
     /// # Errors
-    /// As [`open`](Self::open), also for limits that the adapter does not have.
+    /// The errors of [`open`](Self::open), also for limits that the adapter does not support.
     pub fn open_within(
         wanted: Option<&str>,
         limits: impl FnOnce(wgpu::Limits) -> wgpu::Limits,
@@ -70,7 +71,7 @@ impl Gpu {
     }
 }
 
-/// Real devices first.
+/// Hardware devices first.
 const fn rank(kind: wgpu::DeviceType) -> u8 {
     match kind {
         wgpu::DeviceType::DiscreteGpu => 0,

@@ -7,7 +7,7 @@ use super::{Driver, Kernel, Traversal};
 /// Slots of a node.
 pub const SLOTS: usize = 8;
 
-/// How the next node of a wide tree is found.
+/// The method of finding the next node of a wide tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wide {
     /// A stack in private memory. `[WSTACK-1]`
@@ -35,17 +35,17 @@ impl Kernel {
 }
 
 impl Wide {
-    /// Whether words limit the levels of its trees.
+    /// Whether its words limit the levels of trees.
     pub(super) const fn has_words(self) -> bool {
         !matches!(self, Self::Stack)
     }
 
-    /// Whether it knows how many levels it goes back.
+    /// Whether its events have the levels of backtracks.
     pub(super) const fn has_levels(self) -> bool {
         !matches!(self, Self::Stack)
     }
 
-    /// Levels of inner nodes that its state carries, as in the library. `[WIDE-14]`
+    /// Maximum number of levels of inner nodes, as in the library. `[WIDE-14]`
     pub(super) const fn level_limit(self, words: u32) -> Option<u32> {
         match (self, words) {
             (Self::Stack, _) => None,
@@ -53,16 +53,16 @@ impl Wide {
             (Self::Trail, 2) => Some(<Trail<u64> as PendingStore<SLOTS>>::LEVELS),
             (Self::Trail, _) => Some(<Trail<u128> as PendingStore<SLOTS>>::LEVELS),
             (Self::Record, _) => Some(<Ranked as PendingStore<SLOTS>>::LEVELS),
-            // Below the first bit, three bits a level.
+            // Three bits per level, below the first bit.
             (Self::Hashed, _) => Some((32 * words - 1) / SLOTS.trailing_zeros()),
         }
     }
 
-    /// The parts of its text, but for words and tables of keys.
+    /// The parts of its text, without words and tables of keys.
     pub(super) fn parts(self) -> Vec<&'static str> {
         let mut parts = vec![include_str!("../../wgsl/eight/record.wgsl"), include_str!("../../wgsl/eight/loop.wgsl")];
         if self != Self::Hashed {
-            // With tables of keys it is there.
+            // Tables of keys already include it.
             parts.push(include_str!("../../wgsl/wide.wgsl"));
         }
         if self == Self::Stack {
@@ -85,12 +85,12 @@ impl Wide {
     }
 }
 
-/// Entries of a stack for a tree of so many levels: all children of a node, and all but one of those above it.
+/// Stack entries for a tree of this number of levels: all children of a node, and all but one child of each ancestor.
 pub(super) const fn stack_entries(levels: u32) -> u32 {
     (SLOTS as u32 - 1) * (levels + 1) + 1
 }
 
-/// Levels that ranks are kept of, in a tree of so many: a power of two, by which levels are masked.
+/// Number of levels with kept ranks: a power of two, because levels are masked.
 pub(super) fn kept_levels(levels: u32) -> u32 {
     levels.clamp(4, <Ranked as PendingStore<SLOTS>>::LEVELS).next_power_of_two()
 }

@@ -10,18 +10,18 @@ use crate::kernel::SLOTS;
 use crate::probe::Arithmetic;
 use crate::scene::Eight;
 
-/// What a search through nodes of eight children visits.
+/// The visits of a search through nodes of eight children.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Visited {
     /// Inner nodes, whose boxes are tested.
     pub nodes: usize,
     /// Leaves.
     pub leaves: usize,
-    /// Triangles in them, up to the one that ends the search.
+    /// Triangles in the leaves, up to the triangle that ends the search.
     pub triangles: usize,
 }
 
-/// The closest hit of a ray or any, and what is visited.
+/// The closest or any hit of a ray, and the visits.
 pub fn through(arithmetic: &Arithmetic, records: &Eight, ray: &Ray, any: bool) -> (Found, Visited) {
     let of = OfRay::new(arithmetic, ray);
     if any { run::<true>(of, records) } else { run::<false>(of, records) }
@@ -29,7 +29,7 @@ pub fn through(arithmetic: &Arithmetic, records: &Eight, ray: &Ray, any: bool) -
 
 fn run<const ANY: bool>(of: OfRay<'_>, records: &Eight) -> (Found, Visited) {
     let mut search = Wide::<ANY> { of, records, visited: Visited::default() };
-    // The stack is fit for any tree.
+    // A stack supports any tree.
     let ran = Method::Stack.run(records.bvh(), &Tables::NONE, &mut search, &mut ());
     debug_assert_eq!(ran, Ok(()));
     (search.of.found, search.visited)
@@ -70,7 +70,7 @@ impl<const ANY: bool> Search<SLOTS> for Wide<'_, ANY> {
     }
 
     fn end(&self) -> u32 {
-        // Without an order nothing is beyond: WIDE-6.
+        // Without an order no child is beyond the end: WIDE-6.
         if ANY { u32::MAX } else { self.of.found.t.to_bits() }
     }
 }

@@ -9,7 +9,7 @@ use stackless_bvh::tree::Node;
 use super::{Found, OfRay};
 use crate::probe::Arithmetic;
 
-/// A ray on its way through a hierarchy of two children.
+/// The search of a ray through a hierarchy of two children.
 #[derive(Debug)]
 pub struct Model<'a> {
     of: OfRay<'a>,
@@ -19,7 +19,7 @@ pub struct Model<'a> {
 }
 
 impl<'a> Model<'a> {
-    /// The result of a ray, with this pruning, for the closest hit or any.
+    /// The result of a ray with this pruning, for a closest-hit or any-hit query.
     pub fn trace(arithmetic: &'a Arithmetic, bvh: &'a Bvh, ray: &Ray, pruning: Pruning, any: bool) -> Found {
         let mut model = Self { of: OfRay::new(arithmetic, ray), bvh, any, leaf: None };
         let mut memory = Vec::new();

@@ -1,34 +1,34 @@
-//! The list of bugs: each is one change of the text of a kernel.
+//! The list of bugs. Each bug is one edit of a kernel's text.
 
-/// A mistake in a kernel.
+/// A bug in a kernel.
 #[derive(Clone, Copy, Debug)]
 pub struct Shader {
-    /// What is wrong, in a few words: unique.
+    /// A short, unique description.
     pub name: &'static str,
     /// The clause that it breaks.
     pub clause: &'static str,
     /// The kernel, by its full name.
     pub kernel: &'static str,
-    /// What stands in its text.
+    /// The original text.
     pub from: &'static str,
-    /// What is planted.
+    /// The planted text.
     pub to: &'static str,
-    /// What shows it.
+    /// The kind of test that detects it.
     pub by: ShownBy,
-    /// The profile of the conformance suite that is asked; empty for none.
+    /// The profile of the conformance suite that runs; empty for none.
     pub profile: &'static str,
-    /// The kernel that is asked, with the same mistake.
+    /// The kernel that answers the suite, with this bug.
     pub asked: &'static str,
-    /// Why it passes what it is asked; `None` if it fails cases of its clause.
+    /// Why it passes the suite; `None` if it fails cases of its clause.
     pub passes: Option<&'static str>,
 }
 
-/// Which test of `gpu-check` shows a mistake.
+/// The kind of test of `gpu-check` that detects a bug.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ShownBy {
     /// Searches along tapes.
     Tapes,
-    /// Rays into made scenes.
+    /// Rays through generated scenes.
     Rays,
     /// Rays of the suite that are answered exactly, or are left in doubt.
     Exact,
@@ -53,10 +53,10 @@ macro_rules! shaders {
     };
 }
 
-/// All of them.
+/// All bugs.
 #[rustfmt::skip]
 pub static SHADERS: &[Shader] = shaders! {
-    // Searches along tapes show them.
+    // Detected by searches along tapes.
     "the key is shifted by one level too many", "TRAIL-4", "hashed", Tapes fails "trace/script":
         "key = word_toggle(word_shift(key, levels))" => "key = word_toggle(word_shift(key, levels + 1u))";
     "the trail is shifted by one level too few", "TRAIL-4", "hashed", Tapes fails "trace/script":
@@ -73,7 +73,7 @@ pub static SHADERS: &[Shader] = shaders! {
         "return (entry >> 31u) == 1u;" => "return false;";
     "the key is not reduced", "HASHED-1", "hashed-printed", Tapes fails "trace/script":
         "mixed % TABLE_SIZE" => "mixed";
-    // Most of the keys of `hashed` have direct addresses.
+    // Most keys of `hashed` have direct addresses.
     "the sum is not reduced", "HASH-1", "hashed", Tapes fails "hash/lookup" by "hashed/64":
         "min(sum, sum - TABLE_SIZE)" => "sum";
     "the wrong displacement", "HASHED-1", "hashed-printed", Tapes fails "trace/complete":
@@ -113,7 +113,7 @@ pub static SHADERS: &[Shader] = shaders! {
         "stopped = any_hit;" => "stopped = false;";
     "a node that begins where the hit is is dropped", "ORACLE-3", "stack-t0", Tapes fails "trace/distance":
         "load(height - 1u) <= end()" => "load(height - 1u) < end()";
-    // A case of `trace` is one lane.
+    // A case of `trace` has a single lane.
     "lanes share a stack", "EXACT-1", "stack-workgroup", Tapes fails "ray/grid":
         "stack[at * WORKGROUP + lane] = word" => "stack[at * WORKGROUP] = word";
     "the last result is not written", "TRAVERSE-1", "stack-persistent", Tapes fails "trace/complete":
@@ -152,7 +152,7 @@ pub static SHADERS: &[Shader] = shaders! {
         "return wide_mix(folded ^ vec2(length, 0u));" => "return folded;";
     "the third word has no zeros", "TRAIL-3", "afra/96", Tapes fails "trace/script":
         "select(64u + firstTrailingBit(word.z)" => "select(32u + firstTrailingBit(word.z)";
-    // In the part that tests boxes and triangles; rays of made scenes show them.
+    // In the tests of boxes and triangles, detected by rays through generated scenes.
     "near planes are not chosen by the direction", "EXACT-1", "stack", Rays fails "ray/grid":
         "(select(lo, hi, backward) - origin)" => "(lo - origin)";
     "a plane of a box bounds a ray that lies in it", "EXACT-1", "stack", Rays fails "ray/grid":
@@ -175,7 +175,7 @@ pub static SHADERS: &[Shader] = shaders! {
     "zeros keep their sign", "EXACT-1", "stack",
         Rays passes "ray/grid" because "zeros of either sign are equal in the suite":
         "select(quotient, 0.0, quotient == 0.0)" => "quotient";
-    // In what is certain: rays that are answered exactly.
+    // In the certain results, detected by rays with exact answers.
     "edge functions are taken for exact", "BAND-2", "stack", Exact fails "ray/exact":
         "(((EDGE_FACTOR * U) * size) * edge) * (2.0 * reach + edge)" => "0.0";
     "the numerator of the distance is taken for exact", "BAND-3", "stack", Exact fails "ray/exact":
@@ -190,7 +190,7 @@ pub static SHADERS: &[Shader] = shaders! {
         "if !(t_least >= tmin && t_high <= ray_end) {\n        doubt();\n        return;\n    }" => "";
     "a line that may meet an edge misses", "BAND-2", "stack", Exact fails "ray/exact":
         "if !(least > delta || most < -delta) {\n        doubt();" => "if !(least > delta || most < -delta) {";
-    // In wide trees: searches along tapes show them, and the adapter answers nothing about these.
+    // In wide trees, detected by searches along tapes. The adapter does not answer the suite's cases of wide trees.
     "of the wanted children the last comes first", "WSTACK-1", "wide-stack", Tapes unasked "wide trees":
         "stack[at - 1u].x > entry.x" => "stack[at - 1u].x < entry.x";
     "what is beyond is popped all the same", "WSTACK-1", "wide-stack", Tapes unasked "wide trees":
@@ -235,7 +235,7 @@ pub static SHADERS: &[Shader] = shaders! {
         "word_shift(key, SLOT_BITS * up)" => "word_shift(key, up)";
     "leaves in the last four slots are taken for inner nodes", "WIDE-6", "wide-record", Tapes unasked "wide trees":
         "(nodes[address + 1u] >> sign) == vec4(1u)" => "vec4<bool>(false, false, false, false)";
-    // In the part that tests eight boxes; rays of made scenes show them.
+    // In the tests of eight boxes, detected by rays through generated scenes.
     "of eight boxes the lower planes are always near", "EXACT-1", "wide-stack", Rays unasked "wide trees":
         "return select(words, words.zwxy, is_backward);" => "return words;";
     "flat boxes of eight are missed", "EXACT-1", "wide-trail", Rays unasked "wide trees":

@@ -1,8 +1,8 @@
-//! A hierarchy of eight children as kernels read it: records of 128 bytes, with boxes of six bytes.
+//! A hierarchy of eight children in the format of kernels: records of 128 bytes, with boxes of six bytes.
 //!
-//! A box is in bytes, as in Ylitie, Karras & Laine 2017: each plane is so many steps from the least corner of all boxes
-//! of its node, a step being a power of two for each axis. Planes are rounded outwards, as the device computes them, so
-//! the box that is tested holds the box that is meant (`wgsl/eight/search_ray.wgsl`).
+//! A box is in bytes, as in Ylitie, Karras & Laine 2017. Each plane is a number of steps from the least corner of all
+//! boxes of its node. A step is a power of two for each axis. Planes are rounded outwards by the arithmetic of the
+//! device, so the tested box contains the original box (`wgsl/eight/search_ray.wgsl`).
 
 use stackless_bvh::bvh::wide::{WideNode, WideOptions};
 use stackless_bvh::bvh::{BuildOptions, WideBvh};
@@ -16,19 +16,19 @@ use crate::{Gpu, GpuError};
 
 /// Words of an inner node.
 const WORDS: usize = 32;
-/// Where those for the search begin: behind children and ancestors.
+/// Start of the words for the search, after children and ancestors.
 const SEARCH_AT: usize = 2 * SLOTS;
-/// The greatest byte.
+/// The maximum byte.
 const MOST_STEPS: u32 = 255;
-/// Exponents of steps, as a float has them: of a greater step 2^-62, so that no sum of a corner and steps is below the
+/// Exponents of steps in the format of a float. A step is at least 2^-62, so no sum of a corner and steps is below the
 /// least normal number unless the corner is.
 const EXPONENTS: std::ops::RangeInclusive<u32> = 65..=254;
 
-/// The hierarchy of eight children over a mesh that kernels trace best: small leaves, since a lane tests one triangle
-/// after the other.
+/// The hierarchy of eight children over a mesh that kernels trace fastest. Its leaves are small, because a lane tests
+/// triangles one by one.
 ///
 /// # Errors
-/// [`GpuError::Data`] for more nodes or triangles than it can name.
+/// [`GpuError::Data`] for too many nodes or triangles.
 pub fn hierarchy(mesh: &Mesh) -> Result<WideBvh, GpuError> {
     let data = |error: &dyn std::fmt::Display| GpuError::Data(error.to_string());
     let binary = BuildOptions::fine().build(mesh).map_err(|error| data(&error))?;
@@ -36,17 +36,17 @@ pub fn hierarchy(mesh: &Mesh) -> Result<WideBvh, GpuError> {
     WideBvh::with_options(&binary, &options).map_err(|error| data(&error))
 }
 
-/// A hierarchy with the words that kernels read of it.
+/// A hierarchy with its words for kernels.
 #[derive(Debug)]
 pub struct Eight {
     bvh: WideBvh,
     /// Inner nodes, in the order of the hierarchy.
     nodes: Vec<u32>,
-    /// Triangles, as those of binary hierarchies.
+    /// Triangles, in the format of binary hierarchies.
     leaves: Vec<u32>,
 }
 
-/// The same on the device, with the table of `wide-hashed`.
+/// A hierarchy on the device, with the table of `wide-hashed`.
 #[derive(Debug)]
 pub(super) struct OnDevice {
     pub(super) records: Eight,
@@ -72,7 +72,7 @@ impl OnDevice {
     }
 }
 
-/// Of an inner node, in pieces of 16 bytes.
+/// The address of an inner node, in pieces of 16 bytes.
 fn address(node: Node) -> u32 {
     (WORDS / 4 * node.index()) as u32
 }
@@ -107,7 +107,7 @@ impl Eight {
         &self.bvh
     }
 
-    /// The greatest level of an inner node.
+    /// The maximum level of an inner node.
     pub fn levels(&self) -> u32 {
         self.bvh.levels()
     }
@@ -117,7 +117,7 @@ impl Eight {
         triangles(&self.bvh, leaf)
     }
 
-    /// Lower and upper plane of the box in a slot, as the device has them: read from the words.
+    /// Lower and upper plane of the box in a slot, decoded from the words of the device.
     pub fn planes(&self, node: Node, slot: u32, axis: usize) -> [f32; 2] {
         let words = &self.nodes[WORDS * node.index() + SEARCH_AT..][..WORDS - SEARCH_AT];
         let (corner, step) = (f32::from_bits(words[axis]), step_of(words[3] >> (8 * axis) & 0xff));
@@ -158,7 +158,8 @@ fn boxes(node: &WideNode<SLOTS>) -> [u32; WORDS - SEARCH_AT] {
     words
 }
 
-/// The plane so many steps from the corner. The product is exact, so an `fma` of any kind gives the same.
+/// The plane at this number of steps from the corner. The product is exact, so every kind of `fma` gives an equal
+/// result.
 fn plane(corner: f32, step: f32, steps: u32) -> f32 {
     steps as f32 * step + corner
 }
@@ -167,13 +168,14 @@ fn step_of(exponent: u32) -> f32 {
     f32::from_bits(exponent << 23)
 }
 
-/// Of the least step such that the last plane is not below `top`.
+/// The exponent of the smallest step such that the last plane is at least `top`.
 fn exponent(corner: f32, top: f32) -> u32 {
     let reaches = |&exponent: &u32| plane(corner, step_of(exponent), MOST_STEPS) >= top;
     EXPONENTS.into_iter().find(reaches).unwrap_or(*EXPONENTS.end())
 }
 
-/// Steps to the last plane that is not above `lower`, or to one before. The quotient may be rounded to a whole number.
+/// Number of steps to the last plane that is at most `lower`, or to the plane before it. The quotient may be rounded to
+/// an integer.
 fn steps_below(corner: f32, step: f32, lower: f32) -> u32 {
     let mut steps = (((f64::from(lower) - f64::from(corner)) / f64::from(step)) as u32).min(MOST_STEPS);
     while steps > 0 && plane(corner, step, steps) > lower {
@@ -182,7 +184,7 @@ fn steps_below(corner: f32, step: f32, lower: f32) -> u32 {
     steps
 }
 
-/// Steps to the first plane that is not below `upper`, or to one behind.
+/// Number of steps to the first plane that is at least `upper`, or to the plane after it.
 fn steps_above(corner: f32, step: f32, upper: f32) -> u32 {
     let mut steps = (((f64::from(upper) - f64::from(corner)) / f64::from(step)).ceil() as u32).min(MOST_STEPS);
     while steps < MOST_STEPS && plane(corner, step, steps) < upper {
@@ -198,8 +200,8 @@ mod tests {
 
     use super::*;
 
-    /// Coordinates near and far from 0, and boxes without volume: every box holds the one that is meant, and is at most
-    /// two steps larger.
+    /// For coordinates near 0 and far from 0, and boxes without volume: every box contains the original box, and is at
+    /// most two steps larger.
     #[test]
     fn boxes_of_bytes_hold_those_of_floats() {
         let soup = procedural::soup(1, 2000);
@@ -224,7 +226,7 @@ mod tests {
         assert!(is_larger > 10_000, "{is_larger}");
     }
 
-    /// Planes so near to a multiple of the step that the quotient is rounded to it.
+    /// Planes so near to a multiple of the step that the quotient is rounded to an integer.
     #[test]
     fn a_quotient_that_is_rounded_is_mended() {
         let (corner, step) = (-f32::exp2(40.0), f32::exp2(33.0));

@@ -1,8 +1,8 @@
-//! A kernel as an implementation that the conformance suite can ask: an adapter.
+//! An adapter: a kernel as an implementation for the conformance suite.
 //!
-//! What is answered is what the kernel does on the device. The host only brings trees, scripts and scenes into buffers,
-//! makes the texts of the answers, and rejects what is no tree and no scene. In `ray/exact` it settles the rays that
-//! the kernel leaves in doubt, and those whose numbers are beyond what kernels take.
+//! The kernel computes the answers on the device. The host only writes trees, scripts and scenes into buffers, formats
+//! the answers, and rejects invalid trees and scenes. In `ray/exact` it settles the rays that the kernel leaves in
+//! doubt, and rays with unsupported numbers.
 
 mod rays;
 mod tables;
@@ -19,13 +19,13 @@ use crate::planted::Shader;
 use crate::probe::{Arithmetic, probe};
 use crate::{Access, Checks, Gpu, GpuError, Pipeline};
 
-/// Edges of the deepest tree that kernels with a stack are compiled for.
+/// Maximum depth of trees, in edges, for kernels with a stack.
 const STACK_EDGES: u32 = 255;
 
-/// Edges of the deepest hierarchy of a scene that they are compiled for: stacks are set to zero for each ray.
+/// Maximum depth of a scene's hierarchy, in edges. Stacks are initialised to zero for each ray.
 const SCENE_EDGES: u32 = 64;
 
-/// A kernel that answers cases. What it needs is compiled when it is first asked for, and kept.
+/// A kernel that answers cases. Pipelines are compiled on first use, and kept.
 #[derive(Debug)]
 pub struct Adapter<'g> {
     device: Device<'g>,
@@ -37,21 +37,21 @@ pub struct Adapter<'g> {
     failure: Option<GpuError>,
 }
 
-/// A device, and the kernel that runs there, perhaps with a mistake.
+/// A device and its kernel, optionally with a bug.
 #[derive(Clone, Copy, Debug)]
 struct Device<'g> {
     gpu: &'g Gpu,
     kernel: Kernel,
     bug: Option<&'static Shader>,
-    /// Edges of the deepest tree.
+    /// Maximum depth of a tree, in edges.
     depth: u32,
 }
 
 impl<'g> Adapter<'g> {
-    /// A kernel, perhaps with a mistake in its text.
+    /// A kernel, optionally with a bug in its text.
     ///
     /// # Errors
-    /// What the device may refuse.
+    /// Errors of the device.
     pub fn new(gpu: &'g Gpu, kernel: Kernel, bug: Option<&'static Shader>) -> Result<Self, GpuError> {
         let depth = kernel.depth_limit().unwrap_or(match kernel.traversal {
             Traversal::StackWorkgroup => (gpu.workgroup_bytes() / (4 * WORKGROUP)).min(STACK_EDGES),
@@ -62,12 +62,12 @@ impl<'g> Adapter<'g> {
         Ok(Self { device, arithmetic, words: None, tables: None, walks: None, rays: None, failure: None })
     }
 
-    /// Why the device has given up, if it has.
+    /// The error of the device, if there is one.
     pub fn into_failure(self) -> Option<GpuError> {
         self.failure
     }
 
-    /// How many rays of `ray/exact` were certain on the device.
+    /// Number of rays of `ray/exact` that were certain on the device.
     pub fn share(&self) -> Share {
         self.rays.as_ref().map_or(Share::default(), rays::Rays::share)
     }
@@ -80,7 +80,7 @@ impl<'g> Adapter<'g> {
             2 => profiles.push("key/u64"),
             _ => {}
         }
-        // Tables of the suite are for keys of 64 bits.
+        // The suite's tables have keys of 64 bits.
         if kernel.has_keys() && kernel.words > 1 {
             profiles.extend(["hash/function", "hash/address", "hash/lookup", "hash/build"]);
         }
@@ -135,7 +135,7 @@ impl Implementation for Adapter<'_> {
     }
 
     fn answer(&mut self, level: Level, profile: &str, input: &Map<String, Value>) -> Answer {
-        // A device that is lost stays so, and one that does not answer is not waited for again.
+        // A lost device stays lost, and a device that does not answer is not queried again.
         if let Some(failure) = &self.failure {
             return Answer::Unsupported(failure.to_string());
         }
@@ -160,12 +160,12 @@ impl Implementation for Adapter<'_> {
 }
 
 impl Device<'_> {
-    /// Edges of the deepest hierarchy.
+    /// Maximum depth of the hierarchy, in edges.
     fn scene_depth(&self) -> u32 {
         self.depth.min(SCENE_EDGES)
     }
 
-    /// Compiles a text, with the mistake if it has one.
+    /// Compiles a text, with the bug if there is one.
     fn compile(&self, what: &str, source: &str, bindings: &[Access]) -> Result<Pipeline, GpuError> {
         self.gpu.compile(what, &self.edited(source.to_owned()), bindings, Checks::All)
     }
@@ -175,7 +175,7 @@ impl Device<'_> {
     }
 }
 
-/// What is there, or what is made now.
+/// Returns the value, and creates it on first use.
 fn lazily<T>(slot: &mut Option<T>, make: impl FnOnce() -> Result<T, GpuError>) -> Result<&mut T, GpuError> {
     match slot {
         Some(made) => Ok(made),
@@ -187,7 +187,7 @@ fn result<const N: usize>(fields: [(&str, Value); N]) -> Answer {
     Answer::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
-/// The number that hexadecimal digits stand for, of up to 64 bits.
+/// Parses hexadecimal digits, up to 64 bits.
 fn number(digits: &str) -> Option<u64> {
     u64::from_str_radix(digits, 16).ok()
 }

@@ -1,4 +1,4 @@
-//! Level `ray`: `grid` by the test in single precision, `exact` by the one that says what is certain.
+//! Level `ray`: `grid` with the test in single precision, `exact` with the test that reports certain results.
 
 use serde_json::{Value, json};
 use stackless_bvh::bvh::{Bvh, SahOptions};
@@ -15,16 +15,16 @@ use crate::probe::Arithmetic;
 use crate::scene::{Query, SINGLE, Scene, takes, takes_ray};
 use crate::{GpuError, Pipeline, rays};
 
-/// Of the rays of `ray/exact`, those that the kernel was certain of.
+/// Number of rays of `ray/exact`, and of certain rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Share {
     /// Rays.
     pub rays: usize,
-    /// Rays that the device answered.
+    /// Number of rays that the device answered.
     pub certain: usize,
 }
 
-/// A kernel with both tests, for the closest hit and for any.
+/// A kernel with both tests, for closest-hit and any-hit queries.
 #[derive(Debug)]
 pub(super) struct Rays {
     arithmetic: Arithmetic,
@@ -55,7 +55,7 @@ impl Rays {
         Ok(Some(result([("hits", Value::Array(hits))])))
     }
 
-    /// One answer for each ray.
+    /// Returns one answer for each ray.
     fn trace(
         &mut self,
         device: &Device<'_>,
@@ -83,7 +83,7 @@ impl Rays {
     }
 
     fn exact(&mut self, device: &Device<'_>, bvh: &Bvh, rays: &[Ray], any: bool) -> Result<Vec<Value>, GpuError> {
-        // What is beyond the kernels' range is in doubt from the start.
+        // Unsupported rays are in doubt from the start.
         let mut found = vec![UNCERTAIN; rays.len()];
         let taken: Vec<usize> = (0..rays.len()).filter(|&i| takes(bvh) && takes_ray(&rays[i])).collect();
         if !taken.is_empty() {

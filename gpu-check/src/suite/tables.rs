@@ -1,4 +1,4 @@
-//! Level `hash`: lookups on the device of tables that are given, and tables that the device makes.
+//! Level `hash`: lookups on the device in given tables, and tables that the device builds.
 
 use serde_json::{Value, json};
 use stackless_bvh::hash::{KeySet, Mix, Options, Sizing};
@@ -17,7 +17,7 @@ pub(super) struct Tables<'g> {
     builder: Builder<'g>,
 }
 
-/// What stands in cells that are empty: no address.
+/// The value of empty cells; not an address.
 const EMPTY: u32 = 0x7fff_ffff;
 
 const CELL: u32 = 0;
@@ -56,7 +56,7 @@ impl<'g> Tables<'g> {
         }
     }
 
-    /// One question without tables.
+    /// Answers one question without tables.
     fn function(&self, device: &Device<'_>, ask: &Ask) -> Result<Option<Answer>, GpuError> {
         let plain = Mix { narrow: false, seed: None };
         let question = match ask {
@@ -94,7 +94,7 @@ impl<'g> Tables<'g> {
         let seed = lookup.seed.as_deref().and_then(number);
         let mix = Mix { narrow: lookup.bits == Some(32), seed };
         let head = head(displacements.len() as u32, cells.len() as u32, mix);
-        // As kernels have them: addresses, in the table of displacements with a mark.
+        // The format of kernels: addresses, with a mark in the table of displacements.
         let address = |word: u32| node_of(word).map(|node| if node.is_leaf() { word } else { node.index() as u32 });
         let displacements: Vec<u32> = displacements.iter().map(|&word| address(word).map_or(word, encoded)).collect();
         let cells: Vec<u32> = cells.iter().map(|&word| address(word).unwrap_or(EMPTY)).collect();
@@ -126,7 +126,7 @@ impl<'g> Tables<'g> {
         }))
     }
 
-    /// Two words for each question, which is an operation, a number and a key.
+    /// Returns two words for each question. A question is an operation, a number and a key.
     fn ask(
         &self,
         device: &Device<'_>,

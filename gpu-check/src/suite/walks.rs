@@ -25,7 +25,7 @@ pub(super) struct Walks {
     unread: wgpu::Buffer,
 }
 
-/// What a kernel records of a visit.
+/// The record of a visit.
 type Visit = [u32; RECORDED];
 
 impl Walks {
@@ -66,7 +66,7 @@ impl Walks {
         Ok(Some(Answer::Result(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())))
     }
 
-    /// What was recorded, and the first words of the result: the hit, and the number of visits.
+    /// Runs a case. Returns the records, and the first words of the result: the hit, and the number of visits.
     fn run(
         &self,
         Device { gpu, kernel, .. }: &Device<'_>,
@@ -90,7 +90,7 @@ impl Walks {
         };
         let [displacements, cells] = uploaded.as_ref().map_or([&self.unread; 2], <[_; 2]>::each_ref);
         let tasks = gpu.buffer("tasks", &head.words(addresses.at(tree, tree.root()), u32::from(*any)))?;
-        // Each node once is the most that there is; one visit more shows a kernel that does not know that.
+        // A traversal visits each node at most once. The space for one more visit reveals errors.
         let most = tree.node_count() + 1;
         // The first word is the queue of persistent kernels.
         let work = gpu.zeros("work", 1 + RECORDED * most)?;
@@ -113,8 +113,8 @@ impl Walks {
     }
 }
 
-/// The same with the ranks of distances for distances, and these: the greatest number stands for no hit on the device. A search
-/// only compares them.
+/// Replaces distances by their ranks, and returns the case and the distances. The maximum number means no hit on the
+/// device. A search only compares distances.
 fn in_ranks(case: stackless_check::Case) -> Option<(stackless_check::Case, Vec<u32>)> {
     let cells = case.tape.cells();
     let mut distances: Vec<u32> = vec![0];
@@ -128,7 +128,7 @@ fn in_ranks(case: stackless_check::Case) -> Option<(stackless_check::Case, Vec<u
     Some((stackless_check::Case { tape, ..case }, distances))
 }
 
-/// What nodes are called: keys, by their addresses.
+/// The names of nodes: keys, by address.
 struct Names<'t> {
     tree: &'t Tree,
     keys: Keys,
@@ -142,7 +142,7 @@ impl<'t> Names<'t> {
         Self { tree, keys: Keys::of(tree), nodes }
     }
 
-    /// Keys and levels are the kernel's where it has them.
+    /// Keys and levels are those of the kernel, if it has them.
     fn events(&self, kernel: &Kernel, visits: &[Visit], count: u32) -> Vec<String> {
         let mut events = Vec::new();
         let mut before = None;
@@ -161,14 +161,14 @@ impl<'t> Names<'t> {
             events.push(format!("{} {key}", if is_leaf { "leaf" } else { "enter" }));
             before = node;
         }
-        // Who visits more nodes than there are does not come to an end.
+        // A traversal with more visits than nodes does not terminate.
         if count as usize <= visits.len() {
             events.push("end".to_owned());
         }
         events
     }
 
-    /// Levels of the backtrack between two visits; nothing for a descent.
+    /// Levels of the backtrack between two visits; `None` for a descent.
     fn levels(&self, before: Option<Node>, node: Option<Node>) -> Option<u32> {
         let before = before
             .filter(|&before| before.is_leaf() || node.is_some_and(|node| !self.tree.children(before).contains(&node)));
@@ -191,7 +191,7 @@ impl<'t> Names<'t> {
     }
 }
 
-/// Three words of a visit as one.
+/// Three words of a visit, combined.
 fn word(visit: &Visit, at: usize) -> u128 {
     u128::from(visit[at]) | u128::from(visit[at + 1]) << 32 | u128::from(visit[at + 2]) << 64
 }

@@ -14,7 +14,7 @@ pub(super) struct Words {
     answers: wgpu::Buffer,
 }
 
-/// Where nothing is left: what `ask_key.wgsl` answers then.
+/// The answer of `ask_key.wgsl` if no key remains.
 const NOTHING: u32 = u32::MAX;
 
 impl Words {

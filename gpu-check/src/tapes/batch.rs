@@ -16,17 +16,17 @@ use crate::{Access, Checks, Gpu, GpuError, Pass};
 pub struct Case {
     /// The tree.
     pub tree: Tree,
-    /// How it was made: the name of a family, or `far`.
+    /// The generator: the name of a family, or `far`.
     pub shape: &'static str,
     /// The tape's kind.
     pub kind: Kind,
     /// The tape's seed.
     pub seed: u64,
-    /// The tape, as the library has it.
+    /// The library's tape.
     pub tape: Tape,
 }
 
-/// Cases on the device, each searched for the closest hit and for any.
+/// Cases on the device, each with a closest-hit and an any-hit search.
 #[derive(Debug)]
 pub struct Batch {
     cases: Vec<Placed>,
@@ -44,11 +44,11 @@ struct Placed {
     references: References,
 }
 
-/// Depths at which words end.
+/// Depths near the limits of words.
 const EDGES: [u32; 9] = [30, 31, 32, 33, 62, 63, 64, 94, 95];
 
-/// So many cases: the families by turns, of all sizes up to 96 leaves, every eighth a chain that is as deep as words
-/// are long, and half of these such that backtracks go over its whole length.
+/// Generates `count` cases: alternating families, of all sizes up to 96 leaves. Every eighth case is a chain with a
+/// depth near the limit of a word. In half of the chains, backtracks span the whole length.
 pub fn cases(count: usize, seed: u64) -> Vec<Case> {
     (0..count)
         .map(|i| {
@@ -71,8 +71,8 @@ pub fn cases(count: usize, seed: u64) -> Vec<Case> {
         .collect()
 }
 
-/// A chain for the tape that takes left and right first by turns: the leaf comes before the rest of the chain, so that
-/// nothing is postponed when that is entered, except at the root and at one other level.
+/// A chain for the alternating tape, which takes left and right first alternately. The leaf comes before the rest of
+/// the chain. So the rest is entered with postponed nodes only at the root and at one other level.
 fn far_chain(rng: &mut Rng, depth: u32) -> Tree {
     let other = rng.below(u64::from(depth)) as u32;
     let mut children = Vec::with_capacity(2 * depth as usize + 1);
@@ -99,7 +99,7 @@ impl Batch {
     pub fn new(gpu: &Gpu, cases: Vec<Case>) -> Result<Self, GpuError> {
         let mut tables = [HashTables::default(), HashTables::default()];
         let mut placed = Vec::with_capacity(cases.len());
-        // The first record is nobody's: its address means that a register is empty.
+        // The first record is unused: its address marks an empty register.
         let (mut next, mut next_leaf) = (1, 0);
         for case in cases {
             let addresses;
@@ -130,7 +130,7 @@ impl Batch {
         Ok(Self { cases, records, tables })
     }
 
-    /// The case of a search: two for each case, the closest hit and any.
+    /// The case of a search. Each case has two searches: closest hit, then any hit.
     pub fn case(&self, search: usize) -> &Case {
         &self.cases[search / 2].case
     }

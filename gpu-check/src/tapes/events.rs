@@ -1,4 +1,4 @@
-//! What kernels are held to: the events of the oracle, as kernels record them.
+//! The expected events of kernels, from the oracle.
 
 use std::{array, fmt};
 
@@ -12,13 +12,13 @@ use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 use super::{Case, Searches};
 use crate::kernel::Kernel;
 
-/// Words that `record_events.wgsl` writes for a visit: those of an event, then trail and register.
+/// Number of words that `record_events.wgsl` writes for a visit: the words of an event, trail and register.
 pub const RECORDED: usize = 9;
 
-/// Words of one event: address, one more than the levels of a backtrack, key.
+/// Number of words of an event: address, one more than the levels of a backtrack, key.
 const WORDS: usize = 5;
 
-/// The traversals that kernels are held to, each with its own trace.
+/// The reference traversals of kernels, with different traces.
 const REFERENCES: [Method; 7] = [
     Method::Stack,
     Method::HashedDisjoint,
@@ -46,8 +46,8 @@ impl References {
 fn reference(Case { tree, tape, .. }: &Case, method: Method, any: bool) -> (Trace, Outcome) {
     let (mut search, mut trace) = (Search::new(tree, tape, any), Trace::default());
     match method {
-        // What a restart asks again may have become narrower, so these have traces of their own (D-16). The growing
-        // word has no highest bit, and 127 edges are enough here.
+        // After a restart, decisions may be narrower, so these traversals have separate traces (D-16). The growing word
+        // has no highest bit, and 127 edges are enough here.
         Method::Laine0 => drop(Laine::<0, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
         Method::Laine1 => drop(Laine::<1, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
         Method::Laine4 => drop(Laine::<4, u128, _>::new(tree).map(|c| traverse(c, &mut search, &mut trace))),
@@ -64,12 +64,12 @@ fn reference(Case { tree, tape, .. }: &Case, method: Method, any: bool) -> (Trac
     (trace, search.outcome)
 }
 
-/// What a kernel should record and find.
+/// The expected records and outcome of a kernel.
 #[derive(Clone, Debug)]
 pub struct Expected {
     events: Vec<[u32; WORDS]>,
     outcome: Option<(u32, usize)>,
-    /// What the outcome is.
+    /// The name of the outcome.
     named: &'static str,
     any: bool,
 }
@@ -82,7 +82,7 @@ impl Expected {
         kernel: &Kernel,
         address: impl Fn(Node) -> u32,
     ) -> Self {
-        // What does not prune or restart has the trace of the stack.
+        // Traversals that do not prune or restart have the trace of the stack.
         let at = REFERENCES.iter().position(|&of| Some(of) == kernel.method()).unwrap_or(0);
         let (trace, outcome) = &references.found[at][usize::from(any)];
         let keys = &references.keys;
@@ -95,12 +95,12 @@ impl Expected {
         Self { events, outcome: outcome.hit, named: "hit (distance, slot)", any }
     }
 
-    /// Of a search through a wide tree: its end, and the number of leaves that it looked into.
+    /// The expected outcome of a search through a wide tree: its end, and the number of visited leaves.
     pub(super) const fn of_wide(events: Vec<[u32; WORDS]>, outcome: (u32, usize)) -> Self {
         Self { events, outcome: Some(outcome), named: "(end, leaves)", any: false }
     }
 
-    /// Whether these 8 words are the result of a right kernel: the hit, and the number and the hash of the events.
+    /// Whether these 8 words are the result of a correct kernel: the hit, and the number and the hash of the events.
     pub(super) fn agrees(&self, result: &[u32], kernel: &Kernel) -> bool {
         let is_hit_right = if kernel.keeps_order() { self.has_hit(result) } else { self.may_have_hit(result) };
         is_hit_right
@@ -115,12 +115,12 @@ impl Expected {
         }
     }
 
-    /// In another order any hit may be found first.
+    /// In another order, any-hit searches may find another hit first.
     fn may_have_hit(&self, result: &[u32]) -> bool {
         if self.any { (result[2] == 1) == self.outcome.is_some() } else { self.has_hit(result) }
     }
 
-    /// Where recorded events differ.
+    /// The first difference between recorded and expected events.
     pub(super) fn difference(
         &self,
         batch: &impl Searches,
@@ -156,7 +156,7 @@ fn show(batch: &impl Searches, search: usize, &[address, levels, key, key1, key2
     format!("{back}{node}{key}")
 }
 
-/// The first event at which a kernel and its reference part, and the outcomes of both.
+/// The first event that differs between a kernel and its reference, and the outcomes.
 #[derive(Clone, Debug)]
 pub struct Difference {
     search: String,
@@ -177,17 +177,17 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Where a node is.
+/// The place of a node.
 pub(super) struct Place {
     /// Its address in a kernel.
     pub(super) address: u32,
     /// Edges from the root.
     pub(super) depth: u32,
-    /// The key that a kernel has when it is there, if it has keys.
+    /// The kernel's key at the node, if it has keys.
     pub(super) key: u128,
 }
 
-/// What a kernel has to record of these visits.
+/// The expected record of these visits.
 pub(super) fn events(
     nodes: &[Node],
     kernel: &Kernel,
@@ -207,7 +207,7 @@ pub(super) fn events(
     nodes.iter().map(event).collect()
 }
 
-/// What `record_hash.wgsl` computes.
+/// Computes the hash of `record_hash.wgsl`.
 fn hash(events: &[[u32; WORDS]]) -> [u32; 2] {
     let mut hash = [0_u32; 2];
     for &word in events.iter().flatten() {

@@ -1,4 +1,4 @@
-//! Wide trees, and what searches through them decide, as buffers.
+//! Wide trees and the decisions of their searches, as buffers.
 
 use rayon::prelude::*;
 use stackless_bvh::event::Trace;
@@ -21,11 +21,11 @@ type Shape = Vec<Option<Vec<u32>>>;
 pub struct WideCase {
     /// The tree.
     pub tree: Tree<SLOTS>,
-    /// How it was made.
+    /// The generator.
     pub shape: &'static str,
     /// The seed of tree and tape.
     pub seed: u64,
-    /// What a search answers.
+    /// The answers of a search.
     pub tape: WideTape<SLOTS>,
 }
 
@@ -44,39 +44,39 @@ struct Placed {
     places: Vec<Spot>,
     head: TableHead,
     is_changing: bool,
-    /// Sorted, and leaves first.
+    /// Sorted, then leaves first.
     references: [Reference; 2],
 }
 
-/// Where a node is in its tree and in the buffers.
+/// The place of a node in its tree and in the buffers.
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     address: u32,
     level: u32,
     parent: Option<Node>,
-    /// As far as it fits. `[WIDE-9]`
+    /// The low 64 bits of the key. `[WIDE-9]`
     key: u64,
 }
 
-/// What the oracle visits and finds.
+/// The visits of the oracle, and the outcome.
 #[derive(Debug)]
 struct Reference {
     nodes: Vec<Node>,
     end: u32,
 }
 
-/// Levels at which words end, and one less and more.
+/// Levels at the limits of words, and their neighbours.
 const EDGES: [u32; 16] = [3, 4, 5, 7, 8, 9, 15, 16, 17, 20, 21, 22, 30, 31, 32, 33];
 
-/// Distances that tapes draw from: equal ones, a few, many, and all that a rank has bits for.
+/// Numbers of distances of tapes: all equal, a few, many, and all that a rank can represent.
 const DISTANCES: [u32; 5] = [1, 3, 12, 60, 1 << 29];
 
 /// Pieces of 16 bytes of an inner node.
 const PIECES: usize = 8;
 
-/// So many cases: trees of nodes with up to 2, 4 and 8 children, with and without nodes of one child, full ones, and
-/// every fourth a chain that is as deep as words are long; half of these such that the way back goes over its whole
-/// length. Of some tapes for each, the one along which most nodes are visited.
+/// Generates `count` cases: trees of nodes with up to 2, 4 and 8 children, with and without nodes of one child, and
+/// full trees. Every fourth case is a chain with a depth near the limit of a word; in half of the chains, backtracks
+/// span the whole length. From several tapes, each case gets the tape with the most visits.
 pub fn cases(count: usize, seed: u64) -> Vec<WideCase> {
     (0..count)
         .into_par_iter()
@@ -96,7 +96,7 @@ pub fn cases(count: usize, seed: u64) -> Vec<WideCase> {
                 _ => ("up to eight", wide_shape::<8>(&mut rng, leaves, 0)),
             };
             let tree = wide_tree(&children);
-            // Of a few distances, one in two or four children is not wanted: that is no way to the end of a chain.
+            // With few distinct distances, many children are unwanted, so searches would not reach the end of a chain.
             let is_chain = i % 4 == 3;
             let distances = if is_chain { &DISTANCES[3..] } else { &DISTANCES };
             let case = |_| {
@@ -110,7 +110,7 @@ pub fn cases(count: usize, seed: u64) -> Vec<WideCase> {
         .collect()
 }
 
-/// One in four ends the search at a leaf.
+/// One tape in four ends the search at a leaf.
 fn stopping(rng: &mut Rng, tree: &Tree<SLOTS>, tape: WideTape<SLOTS>) -> WideTape<SLOTS> {
     let leaves: Vec<Node> = tree.nodes().filter(|node| node.is_leaf()).collect();
     if leaves.is_empty() || rng.below(4) > 0 {
@@ -119,7 +119,7 @@ fn stopping(rng: &mut Rng, tree: &Tree<SLOTS>, tape: WideTape<SLOTS>) -> WideTap
     tape.stopping_at(leaves[rng.below(leaves.len() as u64) as usize])
 }
 
-/// A chain of nodes of one child, but for the root and one other.
+/// A chain of nodes with one child, except for the root and one other node.
 fn far(rng: &mut Rng, levels: u32) -> Shape {
     let other = 1 + rng.below(u64::from(levels)) as u32;
     chain(
@@ -131,7 +131,7 @@ fn far(rng: &mut Rng, levels: u32) -> Shape {
     )
 }
 
-/// A chain whose inner nodes reach this level, each with so many leaves around the next node.
+/// A chain whose inner nodes reach this level. `leaves` returns the number of leaves next to the next node.
 fn chain(rng: &mut Rng, levels: u32, leaves: impl Fn(&mut Rng, u32) -> usize) -> Shape {
     let mut nodes: Shape = vec![None];
     let mut last = 0;
@@ -144,7 +144,7 @@ fn chain(rng: &mut Rng, levels: u32, leaves: impl Fn(&mut Rng, u32) -> usize) ->
     nodes
 }
 
-/// So many inner nodes, all with as many children as there are slots.
+/// A tree with `inner` inner nodes, all of them full.
 fn full(inner: usize) -> Shape {
     let children = |node: usize| ((SLOTS * node + 1) as u32..=(SLOTS * (node + 1)) as u32).collect();
     let mut nodes: Shape = (0..inner).map(|node| Some(children(node))).collect();
@@ -159,14 +159,15 @@ impl WideCase {
         Reference { nodes: trace.nodes().to_vec(), end: search.end() }
     }
 
-    /// What is ever wanted of each node, the ranks, and whether what is wanted depends on the leaves before.
+    /// The children of each node that are ever wanted, the ranks, and whether the wanted children depend on previous
+    /// leaves.
     fn wanted(&self) -> (Vec<Wanted<[u32; SLOTS]>>, bool) {
         let none = Wanted { set: 0, ranks: [0; SLOTS] };
         let (mut wanted, mut is_changing) = (vec![none; self.tree.node_count()], false);
-        // Each child is there or not by a coin, so none is missed in as many.
+        // Each child is wanted with probability 1/2, so 64 trials find all wanted children.
         for leaves in 0..64 {
             let mut search = WideSearch::<SLOTS, false>::new(&self.tape);
-            // The root is no leaf, so this changes nothing else.
+            // The root is not a leaf, so this call only counts leaves.
             (0..leaves).for_each(|_| _ = search.leaf(self.tree.root()));
             for node in self.tree.nodes().filter(|node| !node.is_leaf()) {
                 let Wanted { set, ranks } = search.ask(node);
@@ -178,7 +179,7 @@ impl WideCase {
         (wanted, is_changing)
     }
 
-    /// The place of each node, where the next inner node and leaf have these numbers.
+    /// The place of each node, given the numbers of the next inner node and leaf.
     fn places(&self, next: &mut usize, next_leaf: &mut usize) -> Vec<Spot> {
         let root = Spot { address: 0, level: 0, parent: None, key: 1 };
         let mut places = vec![root; self.tree.node_count()];
@@ -214,7 +215,7 @@ impl WideBatch {
     /// # Errors
     /// [`GpuError`].
     pub fn new(gpu: &Gpu, cases: Vec<WideCase>) -> Result<Self, GpuError> {
-        // The first record is nobody's.
+        // The first record is unused.
         let (mut nodes, mut leaves, mut tables) = (vec![0; 4 * PIECES], Vec::new(), HashTables::default());
         let (mut next, mut next_leaf) = (1, 0);
         let mut placed = Vec::with_capacity(cases.len());
@@ -257,7 +258,7 @@ impl WideBatch {
         &self.cases[search / 2].case
     }
 
-    /// Nodes that the oracle visits in a search.
+    /// Number of nodes that the oracle visits in a search.
     pub fn visits(&self, search: usize) -> usize {
         self.reference(search).nodes.len()
     }
@@ -268,14 +269,14 @@ impl WideBatch {
 }
 
 impl WideCase {
-    /// A leaf as kernels read it.
+    /// A leaf in the format of kernels.
     fn leaf(&self, leaf: Node) -> [u32; 4] {
         let mut search = WideSearch::<SLOTS, true>::new(&self.tape);
         let stops = search.leaf(leaf) == Flow::Stop;
         [search.end(), u32::from(stops), leaf.index() as u32, 0]
     }
 
-    /// An inner node as kernels read it.
+    /// An inner node in the format of kernels.
     fn record(&self, node: Node, Wanted { set, ranks }: Wanted<[u32; SLOTS]>, places: &[Spot]) -> [u32; 4 * PIECES] {
         let mut words = [0; 4 * PIECES];
         let address = |node: Node| places[node.index()].address;
@@ -321,7 +322,7 @@ impl Searches for WideBatch {
         let is_child = |parent: Node, node: Node| places[node.index()].parent == Some(parent);
         let place = |node: Node| {
             let Spot { address, level, parent, .. } = places[node.index()];
-            // Kernels have the parent's.
+            // Kernels have the key of the parent.
             let key = parent.map_or(0, |parent| places[parent.index()].key);
             Place { address, depth: level, key: key.into() }
         };

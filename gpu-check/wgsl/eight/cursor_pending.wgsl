@@ -1,10 +1,10 @@
-// Without a stack: a pending set for each level [WIDE-13]. What is kept of the levels above is another text, and so is
-// the way to an ancestor.
+// Traversal without a stack: a pending set for each level [WIDE-13]. The storage of the levels above, and the path to
+// an ancestor, are separate texts.
 
 // The pending children of the present node.
 var<private> pending: u32;
-// Ranks of the two pending children that come next; 0 where there is none or it is not known. The least rank of a node
-// is never kept, so no rank here is 0.
+// Ranks of the next two pending children; 0 if there is no such child or its rank is unknown. The least rank of a node
+// is never kept, so no kept rank is 0.
 var<private> next_ranks: vec2<u32>;
 
 fn cursor_start(root: u32) {
@@ -17,11 +17,11 @@ fn cursor_start(root: u32) {
     link_clear();
 }
 
-// The least rank of a set that is not empty; keeps the two after it.
+// Returns the least rank of a nonempty set, and keeps the next two ranks.
 fn sort(wanted: u32) -> u32 {
     let low = select(vec4(NONE), low_ranks, (vec4(wanted) & vec4(1u, 2u, 4u, 8u)) != vec4(0u));
     let high = select(vec4(NONE), high_ranks, (vec4(wanted) & vec4(16u, 32u, 64u, 128u)) != vec4(0u));
-    // Written out: a rank by its number would come from memory.
+    // Unrolled, because indexed ranks would be in memory.
     var least = with_rank(with_rank(vec3(NONE), low.x), low.y);
     least = with_rank(with_rank(least, low.z), low.w);
     least = with_rank(with_rank(least, high.x), high.y);
@@ -31,12 +31,12 @@ fn sort(wanted: u32) -> u32 {
     return least.x;
 }
 
-// The three least of three in order and one more, in order.
+// The three least of four ranks, in order. The first three are in order.
 fn with_rank(least: vec3<u32>, rank: u32) -> vec3<u32> {
     return min(least, vec3(rank, max(least.xy, vec2(rank))));
 }
 
-// Names the child in a slot, and goes down if it is an inner node [WIDE-10].
+// Takes the child in a slot, and descends if it is an inner node [WIDE-10].
 fn take(slot: u32) {
     pending &= ~(1u << slot);
     node = child_of(present, slot);
@@ -47,7 +47,7 @@ fn take(slot: u32) {
     }
 }
 
-// The next child: of those that are wanted of the present node the first, or the next pending one if there are none.
+// The next child: the first wanted child of the present node, or the next pending child if no child is wanted.
 fn cursor_next(answer: u32) {
     var wanted = answer;
     if answer != 0u && !is_sorted {
@@ -79,7 +79,7 @@ fn cursor_next(answer: u32) {
                 take(slot_of(rank));
                 break;
             }
-            // And so are those that come after it.
+            // All later children are beyond the end, too.
             pending = 0u;
         } else if (pending & (pending - 1u)) == 0u && !kept_is_stale() {
             take(firstTrailingBit(pending));

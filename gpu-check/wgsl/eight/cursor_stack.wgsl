@@ -11,7 +11,7 @@ fn cursor_start(root: u32) {
     height = 0u;
 }
 
-// Puts a child among those above `base`, where ranks become less upwards.
+// Inserts a child among the children above `base`. Ranks decrease upwards.
 fn settle(base: u32, entry: vec2<u32>) {
     var at = height;
     loop {
@@ -25,7 +25,7 @@ fn settle(base: u32, entry: vec2<u32>) {
     height += 1u;
 }
 
-// The next child: of those that are wanted of the present node the first, or the one on top if there are none.
+// The next child: the first wanted child of the present node, or the top of the stack if no child is wanted.
 fn cursor_next(wanted: u32) {
     let base = height;
     var left = wanted;
@@ -35,7 +35,7 @@ fn cursor_next(wanted: u32) {
         }
         let slot = firstTrailingBit(left);
         left &= left - 1u;
-        // Without an order the slot is the rank: it is beyond no end.
+        // Without an order the slot is the rank, and no rank is beyond the end.
         settle(base, vec2(select(slot, rank_of(slot), is_sorted), child_of(present, slot)));
     }
     loop {

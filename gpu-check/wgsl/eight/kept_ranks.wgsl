@@ -1,6 +1,6 @@
-// [WIDE-17]: of each level the pending set and the ranks of the two children that come next, and a bit that says that
-// the set is not empty. There are as many levels as the tree needs, a power of two up to 32: each costs a ray time, since
-// memory of an invocation is set to zero.
+// [WIDE-17]: for each level, the pending set, the ranks of the next two children, and a bit for a nonempty set. The
+// number of levels is a power of two up to 32, as small as the tree allows: each level costs time, because private
+// memory is initialised to zero.
 
 var<private> level: u32;
 var<private> summary: u32;
@@ -22,7 +22,7 @@ fn kept_push() {
     level += 1u;
 }
 
-// Levels up to the deepest one that has pending children and is not known to be beyond the end; 0 if there is none.
+// Levels up to the deepest level with pending children that may be before the end; 0 if there is none.
 fn kept_pop() -> u32 {
     var up = 0u;
     loop {
@@ -49,7 +49,7 @@ fn kept_shortened() {}
 
 fn kept_asked() {}
 
-// A child that comes third and is not known to come last is asked for.
+// The third child is queried again, unless it is known to be the last.
 fn kept_is_stale() -> bool {
     return true;
 }

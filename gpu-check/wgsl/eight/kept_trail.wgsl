@@ -1,8 +1,8 @@
-// [WIDE-18]: the trail, eight bits a level, and one bit a level for what has changed. No shift is by 32.
+// [WIDE-18]: the trail, eight bits per level, and one bit per level for changes. No shift is by 32.
 
 // The lowest first.
 var<private> trail: array<u32, TRAIL_WORDS>;
-// Bit i: the end has become less since the search was asked about the node i levels up.
+// Bit i: the end has become less since the search decided about the node i levels up.
 var<private> changed: u32;
 
 fn kept_clear() {

@@ -2,7 +2,7 @@
 
 const SLOT_BITS = 3u;
 
-// Of the present node; of the next one as soon as that is known to be an inner node [WIDE-9].
+// The key of the present node; of the next node as soon as it is known to be an inner node [WIDE-9].
 var<private> key: Word;
 
 fn link_clear() {
@@ -20,7 +20,7 @@ fn link_ancestor(start: u32, up: u32) -> u32 {
     return table_node(key);
 }
 
-// Of the parent of the node that is visited; 0 at the root.
+// The key of the parent of the visited node; 0 at the root.
 fn link_key() -> Word {
     if is_inner(node) {
         return word_shift(key, SLOT_BITS);

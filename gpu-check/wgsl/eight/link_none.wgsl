@@ -1,4 +1,4 @@
-// A way to ancestors that keeps nothing.
+// Links to ancestors without any state.
 
 fn link_clear() {}
 

@@ -1,4 +1,4 @@
-// [WIDE-15] (1): one level at a time, up to the root at most.
+// [WIDE-15] (1): one level at a time, at most up to the root.
 
 fn link_ancestor(start: u32, up: u32) -> u32 {
     var at = start;

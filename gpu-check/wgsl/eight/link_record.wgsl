@@ -1,5 +1,5 @@
-// [WIDE-15] (2): by the ancestors that the record names. No climb goes on from the root, whose ancestors are the
-// root: so it ends for any number of levels.
+// [WIDE-15] (2): by the ancestors in the record. The root's ancestors are the root, so a climb ends for any number of
+// levels.
 
 fn link_ancestor(start: u32, levels: u32) -> u32 {
     var at = start;

@@ -7,7 +7,7 @@ var<private> levels_back: u32;
 
 fn visit(address: u32) {
     record_visit(address);
-    // From a leaf to the next child of its parent is a backtrack of no levels.
+    // A step from a leaf to the next child of its parent is a backtrack of no levels.
     levels_back = select(0u, 1u, is_leaf(address));
 }
 
@@ -23,7 +23,7 @@ fn visit_inner() {
     }
 }
 
-// [WIDE-6]: the leaves among the wanted children. What is left are inner nodes.
+// [WIDE-6]: visits the leaves among the wanted children. Returns the inner nodes.
 fn visit_leaves(wanted: u32) -> u32 {
     let first = wanted & leaves_of(present);
     var left = first;

@@ -1,15 +1,15 @@
 // Nodes of up to eight children [WIDE-1]: their records.
 //
-// An inner node is 8 pieces of 16 bytes: children by slot, the eight nearest ancestors (the root stands for those above
+// An inner node is 8 pieces of 16 bytes: children by slot, the eight nearest ancestors (with the root for levels above
 // it), and four pieces for the search. An empty slot holds 0.
 
 const SLOTS = 8u;
 const SLOT_MASK = 7u;
-// Of a set of slots.
+// Number of bits of a set of slots.
 const SET_BITS = 8u;
 
-// The rank of each wanted child of the node that the search was asked about last [WIDE-2], in slots 0 to 3 and 4 to 7.
-// In registers: no rank is read from memory by its number.
+// The rank of each wanted child of the last queried node [WIDE-2], in slots 0 to 3 and 4 to 7. Ranks stay in registers,
+// because no rank is indexed.
 var<private> low_ranks: vec4<u32>;
 var<private> high_ranks: vec4<u32>;
 
@@ -34,7 +34,7 @@ fn leaves_of(address: u32) -> u32 {
     return set_of((nodes[address] >> sign) == vec4(1u), (nodes[address + 1u] >> sign) == vec4(1u));
 }
 
-// The set of slots 0 to 3 and 4 to 7 of which something is so.
+// The set of slots 0 to 3 and 4 to 7 with a property.
 fn set_of(low: vec4<bool>, high: vec4<bool>) -> u32 {
     let bits = select(vec4(0u), vec4(1u, 2u, 4u, 8u), low) | select(vec4(0u), vec4(16u, 32u, 64u, 128u), high);
     return (bits.x | bits.y) | (bits.z | bits.w);

@@ -1,10 +1,10 @@
 // The search of a ray through nodes of up to eight children.
 //
-// Of a record's four pieces for the search, the first has the least corner of all boxes, an exponent for each axis, and
-// the set of children. Then there are four words for each axis: lower planes of slots 0 to 3, of 4 to 7, upper planes
-// of 0 to 3, of 4 to 7, each plane a byte: so many steps of that power of two from the corner, rounded outwards.
+// The first of a record's four pieces for the search has the least corner of all boxes, an exponent for each axis, and
+// the set of children. Four words for each axis follow: lower planes of slots 0 to 3, of 4 to 7, upper planes of 0 to
+// 3, of 4 to 7. A plane is a byte: the number of steps from the corner, rounded outwards.
 
-// Any hit comes without an order [WIDE-6].
+// Any-hit searches need no order [WIDE-6].
 const is_sorted = !ANY_HIT;
 
 struct Grid {
@@ -13,7 +13,7 @@ struct Grid {
 }
 
 // The planes of four boxes along an axis, as distances. A byte times a power of two is exact, so a plane is rounded
-// once, whatever `fma` does.
+// once with every kind of `fma`.
 fn planes_of(word: u32, corner: f32, step: f32, from_where: f32, inverse: f32) -> vec4<f32> {
     let bytes = vec4<f32>((vec4(word) >> vec4(0u, 8u, 16u, 24u)) & vec4(0xffu));
     return (fma(bytes, vec4(step), vec4(corner)) - vec4(from_where)) * vec4(inverse);
@@ -30,7 +30,7 @@ fn enters(grid: Grid, near: vec3<u32>) -> vec4<f32> {
     return select(entered, z, z > entered);
 }
 
-// Distances at which it leaves them, or finds its end.
+// Distances at which the ray leaves four boxes, or ends.
 fn exits(grid: Grid, far: vec3<u32>) -> vec4<f32> {
     var x = planes_of(far.x, grid.corner.x, grid.step.x, origin.x, inverse_far.x);
     var y = planes_of(far.y, grid.corner.y, grid.step.y, origin.y, inverse_far.y);
@@ -46,13 +46,13 @@ fn exits(grid: Grid, far: vec3<u32>) -> vec4<f32> {
     return select(left, z, z < left);
 }
 
-// The words of an axis with the near planes first.
+// The words of an axis, with near planes first.
 fn near_first(words: vec4<u32>, is_backward: bool) -> vec4<u32> {
     return select(words, words.zwxy, is_backward);
 }
 
-// The set of wanted children; their ranks are left in `low_ranks` and `high_ranks` [WIDE-2]. Asked again, it wants of
-// the same children those that are not beyond by now [WIDE-4].
+// Returns the set of wanted children, and leaves their ranks in `low_ranks` and `high_ranks` [WIDE-2]. A repeated query
+// returns the wanted children that are not yet beyond the end [WIDE-4].
 fn ask(address: u32, is_again: bool) -> u32 {
     let first = nodes[address + 4u];
     let exponents = (vec3(first.w) >> vec3(0u, 8u, 16u)) & vec3(0xffu);

@@ -1,14 +1,14 @@
-// The search of a tape for wide trees: no floats. A task is a tree, with its tape, and an order.
+// The search of a tape for wide trees, without floats. A task is a tree with its tape, and an order.
 
-// Whether children come by rank; else leaves come first, and nothing is beyond [WIDE-6].
+// Whether children are ordered by rank; otherwise leaves come first, and no child is beyond the end [WIDE-6].
 var<private> is_sorted: bool;
-// Whether what is wanted depends on the number of leaves before.
+// Whether the wanted children depend on the number of previous leaves.
 var<private> is_changing: bool;
 
 // [WIDE-3]
 var<private> least_end: u32;
 var<private> stopped: bool;
-// Leaves that were looked into.
+// Number of tested leaves.
 var<private> looked: u32;
 
 fn begin(task: u32) {
@@ -30,8 +30,8 @@ fn end() -> u32 {
     return least_end;
 }
 
-// The set of wanted children; their ranks are left in `low_ranks` and `high_ranks`. What a search wants when it is asked
-// again [WIDE-4], it said the first time: so only pending children count then, and those were wanted.
+// Returns the set of wanted children, and leaves their ranks in `low_ranks` and `high_ranks`. A repeated query [WIDE-4]
+// returns all children, because only pending children count then, and those were wanted.
 fn ask(address: u32, is_again: bool) -> u32 {
     low_ranks = nodes[address + 4u];
     high_ranks = nodes[address + 5u];
@@ -49,7 +49,7 @@ fn ask(address: u32, is_again: bool) -> u32 {
     return wanted;
 }
 
-// A leaf holds what the end becomes, and whether the search ends.
+// A leaf holds the new end, and whether the search ends.
 fn look_into(offset: u32) {
     let cell = leaves[offset];
     looked += 1u;

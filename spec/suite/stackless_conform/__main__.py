@@ -37,7 +37,7 @@ def main():
         waivers = waive.load(args.waivers, [case["id"] for _, case in cases])
         cases = [(name, case) for name, case in cases if is_wanted(args, case["id"])]
         if not cases:
-            raise ValueError(waive.withdrawn(args.filter) or "no case is of this level and has such an id")
+            raise ValueError(waive.withdrawn(args.filter) or "no case has this level and a matching id")
         run.hello = run.start()
     except (OSError, ValueError) as error:  # TimeoutError is an OSError
         run.stop()

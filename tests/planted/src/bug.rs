@@ -15,7 +15,7 @@ pub(crate) struct Bug {
     pub(crate) clause: String,
     /// The edited file, relative to the repository.
     pub(crate) file: String,
-    /// The edited function, as `name` or `Type::name`, where `old` is not unique in the file.
+    /// The edited function, as `name` or `Type::name`, if `old` is not unique in the file.
     #[serde(rename = "fn")]
     pub(crate) function: Option<String>,
     /// The text that is replaced.
@@ -29,7 +29,7 @@ pub(crate) struct Bug {
     pub(crate) listed_in: PathBuf,
 }
 
-/// Why the list of bugs is not usable.
+/// Reasons why the list of bugs is unusable.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum ListError {
     #[error("{path}: cannot be read: {source}")]

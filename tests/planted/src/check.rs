@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::bug::Bug;
 use crate::edit::Source;
 
-/// Returns what is wrong with the bugs, one line each.
+/// Returns the faults of the bugs, one line each.
 pub(crate) fn faults(root: &Path, bugs: &[Bug]) -> Vec<String> {
     let mut faults = Vec::new();
     let clauses = clauses(&root.join("spec"));
@@ -17,7 +17,7 @@ pub(crate) fn faults(root: &Path, bugs: &[Bug]) -> Vec<String> {
             faults.push(format!("{}: the name occurs twice, expected once", bug.place()));
         }
         if !clauses.contains(&bug.clause) {
-            faults.push(format!("{}: clause {} is not in spec/, expected one that is", bug.place(), bug.clause));
+            faults.push(format!("{}: clause {} is not in spec/, expected an existing clause", bug.place(), bug.clause));
         }
         if bug.survives.as_ref().is_some_and(|reason| reason.trim().is_empty()) {
             faults.push(format!("{}: survives is empty, expected a reason", bug.place()));
@@ -55,7 +55,7 @@ fn faults_of_file(root: &Path, file: &str, bugs: &[(usize, &Bug)]) -> Vec<String
     for &(number, bug) in bugs {
         match source.edit(number, bug) {
             Ok(edit) if edits.iter().any(|other| edit.overlaps(other)) => {
-                faults.push(format!("{}: {file}: the edit is nested in that of another bug", bug.place()));
+                faults.push(format!("{}: {file}: the edit is nested in the edit of another bug", bug.place()));
             }
             Ok(edit) => edits.push(edit),
             Err(error) => faults.push(format!("{}: {file}: {error}", bug.place())),

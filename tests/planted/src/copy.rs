@@ -1,4 +1,4 @@
-//! A copy of the tree in which all bugs are compiled in.
+//! A copy of the tree with all bugs compiled in.
 
 use std::fs;
 use std::io;
@@ -9,10 +9,10 @@ use crate::bug::Bug;
 use crate::check::by_file;
 use crate::edit::{EditError, Source};
 
-/// Name of the variable that chooses a bug.
+/// Name of the environment variable that selects a bug.
 pub(crate) const SWITCH: &str = "STACKLESS_PLANTED";
 
-/// The module that reads [`SWITCH`], for which `SWITCH` stands in it. 0, or no number, chooses no bug.
+/// The module that reads [`SWITCH`]; the text `SWITCH` is replaced by its value. 0, or no number, selects no bug.
 const MODULE: &str = r#"//! The number of the planted bug.
 
 extern crate std;
@@ -25,7 +25,7 @@ pub fn bug() -> u32 {
 }
 "#;
 
-/// Why there is no copy.
+/// Reasons why the copy failed.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CopyError {
     #[error("{path}: {source}")]
@@ -36,18 +36,18 @@ pub(crate) enum CopyError {
     Git(String),
 }
 
-/// Writes the copy. Files that are already as they should be are not touched, so that little is compiled again.
+/// Writes the copy. Unchanged files are not touched, so that little is compiled again.
 pub(crate) fn write(root: &Path, to: &Path, bugs: &[Bug]) -> Result<(), CopyError> {
     let bugs = by_file(bugs);
     let files = listed(root)?;
     for file in &files {
         let (from, to) = (root.join(file), to.join(file));
-        // A link stays one, as to a folder of the suite's files.
+        // Copies links as links, such as a link to a folder of the suite's files.
         if let Ok(target) = fs::read_link(&from) {
             link(&target, &to)?;
             continue;
         }
-        // A file that is deleted but not yet committed.
+        // The file may be deleted without a commit.
         if !from.is_file() {
             continue;
         }
@@ -103,15 +103,15 @@ fn link(target: &Path, path: &Path) -> Result<(), CopyError> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(failed(folder))?;
     }
-    // What an earlier copy had there.
+    // A previous copy may have a file there.
     if path.is_file() {
         fs::remove_file(path).map_err(failed(path))?;
     }
     std::os::unix::fs::symlink(target, path).map_err(failed(path))
 }
 
-/// Removes Rust files of earlier copies, since a test that is left over could fail, or catch a bug. Likewise seeds that proptest
-/// has written where tests of a copy ran without this tool, which has it neither write nor read seeds.
+/// Removes Rust files of previous copies: an old test could fail, or catch a bug. Also removes seeds that proptest
+/// wrote when tests of a copy ran without this tool. This tool neither reads nor writes seeds.
 fn remove_others(copy: &Path, files: &[String]) -> Result<(), CopyError> {
     for folder in ["src", "tests", "crates", "proofs", "proptest-regressions"] {
         let mut folders = vec![copy.join(folder)];

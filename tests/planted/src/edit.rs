@@ -1,13 +1,13 @@
-//! Edits of the source: where a bug's text stands, and a file in which several bugs are compiled in.
+//! Edits of the source: the place of a bug's text, and a file with several bugs compiled in.
 //!
-//! A function with bugs gets a body that chooses one of several bodies when it runs:
+//! The body of a function with bugs selects one of several bodies at run time:
 //!
 //! ```text
 //! { match crate::planted::bug() { 17 => { body with edit 17 }, 23 => { body with edit 23 }, _ => { body } } }
 //! ```
 //!
-//! Closures of two bodies have two types. So where a function returns `impl Trait`, only the smallest expression around
-//! the edit is chosen.
+//! Closures of two bodies have two types. So if a function returns `impl Trait`, only the smallest expression around
+//! the edit is selected.
 
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -17,7 +17,7 @@ use syn::visit::{self, Visit};
 
 use crate::bug::Bug;
 
-/// Why an edit cannot be applied.
+/// Reasons why an edit cannot be applied.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
 pub(crate) enum EditError {
     #[error("the file is not Rust: {0}")]
@@ -40,13 +40,14 @@ pub(crate) struct Source<'s> {
     functions: Vec<Function>,
 }
 
-/// A function that is in no other function.
+/// A function that is not nested in another function.
 struct Function {
     names: Vec<String>,
     body: Range<usize>,
-    /// `const`, which a choice at run time rules out.
+    /// `const`, which is incompatible with a choice at run time.
     constness: Option<Range<usize>>,
-    /// `#[inline(always)]`. If one function with several bodies were inlined into another, there would be copies for all pairs.
+    /// `#[inline(always)]`. Inlining a function with several bodies into another such function would create copies for
+    /// all pairs.
     inline: Option<Range<usize>>,
     /// Expressions of the body, if the function returns `impl Trait`.
     expressions: Option<Vec<Range<usize>>>,
@@ -57,7 +58,7 @@ pub(crate) struct Edit<'b> {
     number: usize,
     at: Range<usize>,
     new: &'b str,
-    /// The text of which a second version is compiled.
+    /// The text that has a second version.
     unit: Range<usize>,
 }
 
@@ -69,7 +70,7 @@ impl<'s> Source<'s> {
         Ok(Self { text, functions: collector.functions })
     }
 
-    /// Finds the text of a bug, and parses the file that the bug makes.
+    /// Finds the text of a bug, and parses the resulting file.
     pub(crate) fn edit<'b>(&self, number: usize, bug: &'b Bug) -> Result<Edit<'b>, EditError> {
         if bug.old == bug.new {
             return Err(EditError::Unchanged);
@@ -115,7 +116,7 @@ impl<'s> Source<'s> {
         replaced.sort_by_key(|(range, _)| range.start);
         let (mut text, mut done) = (String::new(), 0);
         for (range, new) in replaced {
-            // An expression within another one that is replaced as a whole: `check` refuses two such bugs.
+            // An expression within another replaced expression. `check` refuses two such bugs.
             if range.start >= done {
                 text.push_str(&self.text[done..range.start]);
                 text.push_str(&new);
@@ -125,7 +126,7 @@ impl<'s> Source<'s> {
         text + &self.text[done..]
     }
 
-    /// Where `const` stands of the edited functions, and of those in this file that call them.
+    /// The positions of `const` of the edited functions, and of their callers in this file.
     fn no_longer_const(&self, edits: &[Edit<'_>]) -> impl Iterator<Item = Range<usize>> {
         let is_edited = |it: &&Function| edits.iter().any(|edit| it.body.contains(&edit.at.start));
         let mut dropped: Vec<_> = self.functions.iter().filter(is_edited).collect();
@@ -157,7 +158,7 @@ impl<'s> Source<'s> {
     }
 }
 
-/// Whether a body calls a function of this name, of whatever type.
+/// Whether a body calls a function of this name, of any type.
 fn calls(body: &str, name: &str) -> bool {
     body.match_indices(name).any(|(at, _)| {
         let after = &body[at + name.len()..];
@@ -167,7 +168,7 @@ fn calls(body: &str, name: &str) -> bool {
 }
 
 impl Edit<'_> {
-    /// Whether this edit's text is nested in the other one's, so that only one of them could be compiled in.
+    /// Whether the texts of two edits overlap, so that only one of them could be compiled in.
     pub(crate) fn overlaps(&self, other: &Edit<'_>) -> bool {
         self.unit != other.unit && self.unit.start < other.unit.end && other.unit.start < self.unit.end
     }
@@ -175,7 +176,7 @@ impl Edit<'_> {
 
 struct Collector {
     functions: Vec<Function>,
-    /// The type of the `impl` block around.
+    /// The type of the surrounding `impl` block.
     owner: Option<String>,
 }
 
@@ -245,7 +246,7 @@ impl Visit<'_> for Hidden {
     }
 }
 
-/// The places of all expressions that can be wrapped.
+/// The positions of all expressions that can be wrapped.
 struct Expressions(Vec<Range<usize>>);
 
 impl<'ast> Visit<'ast> for Expressions {

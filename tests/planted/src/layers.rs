@@ -1,4 +1,4 @@
-//! The layers of checks: test programs of the copy, each with the tests that belong to the layer.
+//! The layers of checks: test programs of the copy, each with its tests.
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader};
@@ -11,33 +11,33 @@ use serde::Deserialize;
 /// Tests of one program.
 pub(crate) struct Layer {
     pub(crate) name: &'static str,
-    /// What the layer is, for the table.
+    /// A description, for the table.
     pub(crate) about: &'static str,
     /// Name of the program's target.
     pub(crate) target: &'static str,
     tests: Tests,
-    /// Tests that are not among them.
+    /// Excluded tests.
     without: &'static [&'static str],
 }
 
-/// Which tests of a program.
+/// A selection of tests of a program.
 enum Tests {
-    /// Those of the edited file's module.
+    /// The tests of the edited file's module.
     OfModule,
-    /// Those whose names have one of these in them; all, if there are none.
+    /// Tests whose names contain one of these texts; all tests if the list is empty.
     Named(&'static [&'static str]),
 }
 
-/// Tests of the battery, which draws cases at random and exhaustively.
+/// Tests of the battery, with random and exhaustive cases.
 const BATTERY: &[&str] = &["random::", "exhaustive::"];
 
-/// Bodies of the fuzz targets over seeds and findings.
+/// Bodies of the fuzz targets, over seeds and findings.
 const FUZZ: &[&str] = &["regressions::seeds", "regressions::what_fuzzing"];
 
-/// The target that is built soonest: the library with its unit tests.
+/// The target that builds fastest: the library with its unit tests.
 pub(crate) const UNIT_TESTS: &str = "stackless_bvh";
 
-/// All layers, in the order in which they run: the fast ones first.
+/// All layers, in the order in which they run, the fastest first.
 pub(crate) const LAYERS: [Layer; 7] = [
     Layer {
         name: "module",
@@ -93,7 +93,7 @@ pub(crate) const LAYERS: [Layer; 7] = [
 /// The test programs of a copy.
 pub(crate) struct Programs {
     programs: BTreeMap<String, Program>,
-    /// Seconds that the build took.
+    /// Duration of the build, in seconds.
     pub(crate) seconds: f64,
 }
 
@@ -104,7 +104,7 @@ struct Program {
     tests: Vec<String>,
 }
 
-/// Why there are no programs.
+/// Reasons why there are no programs.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum BuildError {
     #[error("cargo cannot be run: {0}")]
@@ -131,14 +131,14 @@ struct Target {
     name: String,
 }
 
-/// What a layer runs for one bug.
+/// The run of a layer for one bug.
 pub(crate) struct Job<'p> {
     pub(crate) program: &'p Path,
     pub(crate) folder: &'p Path,
     pub(crate) arguments: Vec<String>,
 }
 
-/// Compiles the library of the copy, and nothing else.
+/// Compiles only the library of the copy.
 pub(crate) fn compile(copy: &Path) -> Result<(), BuildError> {
     let status = cargo(copy).args(["check", "-p", "stackless-bvh", "--all-features"]).status();
     if status.map_err(BuildError::Cargo)?.success() { Ok(()) } else { Err(BuildError::Failed) }
@@ -151,7 +151,7 @@ fn cargo(copy: &Path) -> Command {
 }
 
 impl Programs {
-    /// Builds test programs of the copy, once: all, or the unit tests only.
+    /// Builds test programs of the copy once: all programs, or only the unit tests.
     pub(crate) fn build(copy: &Path, only_unit_tests: bool) -> Result<Self, BuildError> {
         let began = Instant::now();
         let mut command = cargo(copy);
@@ -196,7 +196,7 @@ impl Programs {
         tests.iter().any(|known| known == test).then_some(Job { program: path, folder, arguments })
     }
 
-    /// The tests that a layer runs for a bug in this file; `None` if the file's module has none.
+    /// The tests that a layer runs for a bug in this file; `None` if the file's module has no tests.
     pub(crate) fn job(&self, layer: &Layer, file: &str) -> Option<Job<'_>> {
         let Program { path, folder, tests } = self.programs.get(layer.target)?;
         let mut arguments = match layer.tests {
@@ -233,7 +233,7 @@ fn list(path: &Path, folder: &Path) -> Result<Vec<String>, BuildError> {
     Ok(text.lines().filter_map(|line| line.strip_suffix(": test")).map(ToOwned::to_owned).collect())
 }
 
-/// The module of a file, or the nearest one around it that has tests, as they begin. `None` at the root.
+/// The module of a file, or the nearest parent with tests, as the prefix of test names. `None` at the root.
 fn module_with_tests(file: &str, tests: &[String]) -> Option<String> {
     let path = file.strip_prefix("src/")?.strip_suffix(".rs")?;
     let mut module = path.trim_end_matches("/mod").replace('/', "::");

@@ -42,24 +42,25 @@ enum Command {
         /// Run N bugs, chosen by the hash of the commit among those that unit tests have caught: only these are built.
         #[arg(long, value_name = "N", conflicts_with = "only")]
         sample: Option<usize>,
-        /// Run the bugs whose name or file has TEXT in it, or whose clause or topic it is. Can be given several times.
+        /// Run the bugs with TEXT in their name or file, or with this clause or topic. Repeat the option for several
+        /// texts.
         #[arg(long, value_name = "TEXT")]
         only: Vec<String>,
         /// Run these layers only, separated by commas. A bug that none of them catches gets no row.
         #[arg(long, value_delimiter = ',', value_parser = LAYERS.each_ref().map(|layer| layer.name))]
         layers: Vec<String>,
-        /// Run all layers for each bug, and not only those before the first one that catches it.
+        /// Run all layers for each bug, also after a layer has caught it.
         #[arg(long)]
         every_layer: bool,
-        /// End a layer after S seconds; the bug then counts as caught. By default, 10 seconds and four times what the layer
-        /// takes without a bug.
+        /// End a layer after S seconds; the bug then counts as caught. By default, 10 seconds and four times the
+        /// duration without a bug.
         #[arg(long, value_name = "S")]
         seconds: Option<u64>,
-        /// Write the table to FILE, where rows of bugs that do not run are kept.
+        /// Write the table to FILE. Rows of bugs that do not run are kept.
         #[arg(long, value_name = "FILE")]
         json: Option<PathBuf>,
     },
-    /// Write tests/planted/README.md again from tests/planted/table.json.
+    /// Write tests/planted/README.md from tests/planted/table.json.
     Page,
 }
 

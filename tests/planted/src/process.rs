@@ -13,37 +13,37 @@ use crate::layers::Job;
 /// How a layer ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum End {
-    /// All tests passed, so many.
+    /// All tests passed; their number.
     Passed(u32),
-    /// The first test that failed, or how the program died.
+    /// The first failed test, or the exit status of a crashed program.
     Failed(String),
-    /// The limit of time was reached; these tests had begun.
+    /// The time limit was reached; the names are tests that had begun.
     TimedOut,
-    /// The program took more than [`MOST_MEMORY`].
+    /// The program used more than [`MOST_MEMORY`].
     OutOfMemory,
 }
 
 /// Bytes of memory that a program may use.
 const MOST_MEMORY: u64 = 6 << 30;
 
-/// How often time and memory are looked at.
+/// The interval of checking time and memory.
 const PERIOD: Duration = Duration::from_millis(100);
 
-/// Runs a job with a bug (0: none). Returns how it ended, and its seconds.
+/// Runs a job with a bug (0: none). Returns the end and the seconds.
 pub(crate) fn run(job: &Job<'_>, bug: usize, limit: Duration) -> std::io::Result<(End, f64)> {
     let began = Instant::now();
     let mut command = Command::new(job.program);
     command.args(&job.arguments).current_dir(job.folder).env(SWITCH, bug.to_string());
-    // Cases are the same in each run, they are not written to files, and failing ones are not made smaller.
+    // Cases are equal in each run, are not written to files, and are not shrunk.
     command.env("PROPTEST_RNG_SEED", "1").env("PROPTEST_MAX_SHRINK_ITERS", "0");
     command.env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true").env("RUST_BACKTRACE", "0");
     let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
     let (send, lines) = mpsc::channel();
     let output = child.stdout.take();
-    // Ends with the program.
+    // The thread ends with the program.
     thread::spawn(move || read_lines(output, &send));
     let end = watch(&mut child, &lines, began, limit);
-    // It may have ended by itself.
+    // The program may have ended before.
     let _ = child.kill();
     let status = child.wait()?;
     let end = match end {
@@ -82,7 +82,7 @@ fn watch(child: &mut Child, lines: &mpsc::Receiver<String>, began: Instant, limi
     }
 }
 
-/// The end that a line of a test program's output tells of, if any.
+/// The end of a test program according to a line of its output, if any.
 fn meaning(line: &str) -> Option<End> {
     if let Some(test) = line.strip_prefix("test ").and_then(|line| line.strip_suffix(" ... FAILED")) {
         return Some(End::Failed(test.trim_end_matches(" - should panic").to_owned()));
@@ -91,7 +91,7 @@ fn meaning(line: &str) -> Option<End> {
     Some(End::Passed(passed.parse().ok()?))
 }
 
-/// Resident bytes of a process; 0 where the system does not tell.
+/// Resident bytes of a process; 0 if the system does not report them.
 fn memory(process: u32) -> u64 {
     let pages = fs::read_to_string(format!("/proc/{process}/statm")).ok();
     let resident = pages.and_then(|text| text.split(' ').nth(1)?.parse::<u64>().ok());
@@ -116,7 +116,7 @@ mod tests {
         assert_eq!(shell("echo test a::b ... FAILED; exec sleep 60"), End::Failed("a::b".into()));
         assert_eq!(shell("test $STACKLESS_PLANTED = 7 && echo test c ... FAILED"), End::Failed("c".into()));
         assert_eq!(shell("exec sleep 60"), End::TimedOut);
-        // No seeds are written, which later bugs would be tested with.
+        // No seeds are written: they would affect later bugs.
         let is_off = "test -n \"$PROPTEST_DISABLE_FAILURE_PERSISTENCE\" && echo test d ... FAILED";
         assert_eq!(shell(is_off), End::Failed("d".into()));
         assert_eq!(shell("exit 3"), End::Failed("the program ended with exit status: 3".into()));

@@ -12,32 +12,32 @@ use crate::layers::{Job, LAYERS, Layer, Programs, UNIT_TESTS};
 use crate::process::{self, End};
 use crate::table::{Found, Row, Table, Verdict};
 
-/// What to run.
+/// The options of a run.
 pub(crate) struct Plan {
     pub(crate) choice: Choice,
-    /// Names; all layers if there are none.
+    /// Names of layers; all layers if empty.
     pub(crate) layers: Vec<String>,
     pub(crate) every_layer: bool,
-    /// Most seconds of a layer.
+    /// Maximum number of seconds of a layer.
     pub(crate) seconds: Option<u64>,
     pub(crate) json: Option<PathBuf>,
 }
 
-/// Which bugs.
+/// The choice of bugs.
 pub(crate) enum Choice {
     Sample(usize),
     Only(Vec<String>),
     All,
 }
 
-/// Where the copy is.
+/// The folder of the copy.
 pub(crate) fn copy_folder(root: &Path) -> PathBuf {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     target.join("planted/tree")
 }
 
 impl Plan {
-    /// Returns whether all bugs were caught that must be, and no others.
+    /// Returns whether exactly the bugs that must be caught were caught.
     pub(crate) fn run(&self, root: &Path, bugs: &[Bug]) -> Result<bool, Box<dyn Error>> {
         let chosen = self.chosen(root, bugs)?;
         if chosen.is_empty() {
@@ -72,7 +72,7 @@ impl Plan {
                 table.rows.push(row);
             }
             table.control_seconds = controls.of_layers();
-            // After each bug, so that a run that is interrupted is not lost.
+            // Written after each bug, so that an interrupted run is not lost.
             if let Some(json) = &json {
                 table.clone().completed(before.clone(), bugs).write(json)?;
             }
@@ -91,7 +91,7 @@ impl Plan {
         matches!(self.choice, Choice::All)
     }
 
-    /// The numbers of the bugs, from 1.
+    /// The numbers of the chosen bugs, from 1.
     fn chosen(&self, root: &Path, bugs: &[Bug]) -> Result<Vec<usize>, Box<dyn Error>> {
         let all = 1..=bugs.len();
         Ok(match &self.choice {
@@ -131,7 +131,7 @@ impl Plan {
     }
 }
 
-/// The row of a bug, if the test that has caught it before does so again: that is sooner known than what its whole layer says.
+/// The row of a bug, if the test that caught it before fails again. This test is faster than its whole layer.
 fn caught_again(
     bug: &Bug,
     number: usize,
@@ -142,12 +142,12 @@ fn caught_again(
     let Some(job) = controls.programs.one(layer, test) else { return Ok(None) };
     let limit = Duration::from_secs_f64(10.0 + 4.0 * controls.seconds(layer, &job)?);
     let (end, seconds) = process::run(&job, number, limit)?;
-    // Which test it was is known, however it ended.
+    // The test is known, independent of the kind of end.
     let found = Found { by: Some(test.to_owned()), ..Found::new(layer, end, seconds) };
     Ok((found.verdict != Verdict::Survived).then(|| Row::new(bug, vec![found])))
 }
 
-/// What layers do without a bug. Each runs before it is first asked about a bug.
+/// Runs without a bug. Each layer runs before its first use for a bug.
 struct Controls<'p> {
     programs: &'p Programs,
     /// Seconds by layer and arguments.
@@ -155,10 +155,10 @@ struct Controls<'p> {
 }
 
 impl Controls<'_> {
-    /// The seconds of a job without a bug.
+    /// Returns the seconds of a job without a bug.
     ///
     /// # Errors
-    /// If a test fails, or none runs.
+    /// A test fails, or no test runs.
     fn seconds(&mut self, layer: &'static Layer, job: &Job<'_>) -> Result<f64, Box<dyn Error>> {
         let key = (layer.name, job.arguments.clone());
         if let Some(&seconds) = self.seconds.get(&key) {
@@ -167,13 +167,13 @@ impl Controls<'_> {
         let (end, seconds) = process::run(job, 0, Duration::from_hours(2))?;
         match end {
             End::Passed(count) if count > 0 => println!("without a bug: {}: {count} tests, {seconds:.1} s", layer.name),
-            end => return Err(format!("without a bug, layer {} must pass, and ends so: {end:?}", layer.name).into()),
+            end => return Err(format!("without a bug, layer {} must pass, found {end:?}", layer.name).into()),
         }
         self.seconds.insert(key, seconds);
         Ok(seconds)
     }
 
-    /// The seconds of each layer that has run: of the slowest module, where modules are run one by one.
+    /// The seconds of each layer that has run. If modules run separately, the seconds of the slowest module.
     fn of_layers(&self) -> BTreeMap<String, f64> {
         let mut layers = BTreeMap::<_, f64>::new();
         for ((layer, _), seconds) in &self.seconds {
@@ -189,7 +189,7 @@ fn has(bug: &Bug, text: &str) -> bool {
     [&bug.name, &bug.file].iter().any(|field| field.contains(text)) || bug.clause == text || topic == text
 }
 
-/// Says what was wrong. `true` if nothing was.
+/// Prints the faults. Returns whether there are none.
 fn judge(rows: &[Row]) -> bool {
     let mut is_right = true;
     for row in rows {
@@ -221,7 +221,7 @@ fn commit(root: &Path) -> Result<String, Box<dyn Error>> {
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
-/// FNV-1a, the same on every machine.
+/// FNV-1a, which is equal on every machine.
 fn hash(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -1,4 +1,4 @@
-//! What was found, as data and as a page.
+//! The results, as data and as a page.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -12,12 +12,12 @@ use crate::bug::Bug;
 use crate::layers::{LAYERS, Layer};
 use crate::process::End;
 
-/// The results of all bugs that were run.
+/// The results of all bugs that ran.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Table {
-    /// Seconds that the build took.
+    /// Duration of the build, in seconds.
     pub(crate) build_seconds: f64,
-    /// Seconds that each layer takes without a bug.
+    /// Seconds of each layer without a bug.
     pub(crate) control_seconds: BTreeMap<String, f64>,
     pub(crate) rows: Vec<Row>,
 }
@@ -35,7 +35,7 @@ pub(crate) struct Row {
     pub(crate) found: Vec<Found>,
 }
 
-/// What one layer says of one bug.
+/// The result of one layer for one bug.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Found {
     pub(crate) layer: String,
@@ -46,7 +46,7 @@ pub(crate) struct Found {
     pub(crate) seconds: f64,
 }
 
-/// Whether a layer catches a bug. A test that does not end, or that uses up the memory, counts as caught.
+/// Whether a layer catches a bug. A test that does not terminate, or exhausts the memory, counts as caught.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Verdict {
@@ -86,7 +86,7 @@ impl Row {
 }
 
 impl Table {
-    /// Reads a table; an empty one if there is none.
+    /// Reads a table. Without a file it returns an empty table.
     pub(crate) fn read(path: &Path) -> io::Result<Self> {
         match fs::read(path) {
             Ok(bytes) => Ok(serde_json::from_slice(&bytes)?),
@@ -95,7 +95,7 @@ impl Table {
         }
     }
 
-    /// The layer and the test that have caught a bug.
+    /// The layer and the test that caught a bug.
     pub(crate) fn caught(&self, bug: &str) -> Option<(&'static Layer, &str)> {
         let found = self.rows.iter().find(|row| row.bug == bug)?.caught()?;
         let layer = LAYERS.iter().find(|layer| layer.name == found.layer)?;
@@ -106,7 +106,7 @@ impl Table {
         fs::write(path, serde_json::to_string_pretty(self)? + "\n")
     }
 
-    /// Takes over rows of an earlier table for bugs that have not run since. All rows come in the order of the list.
+    /// Adds rows of an earlier table for bugs that have not run since. Rows have the order of the list.
     pub(crate) fn completed(mut self, earlier: Self, bugs: &[Bug]) -> Self {
         let mut rows: BTreeMap<String, Row> = earlier.rows.into_iter().map(|row| (row.bug.clone(), row)).collect();
         rows.extend(std::mem::take(&mut self.rows).into_iter().map(|row| (row.bug.clone(), row)));
@@ -119,7 +119,7 @@ impl Table {
         fs::write(folder.join("README.md"), self.completed(Self::default(), bugs).page(bugs.len()))
     }
 
-    /// The page, where there are so many bugs.
+    /// The page; `bugs` is the number of bugs.
     fn page(&self, bugs: usize) -> String {
         let mut page = String::from(HEAD);
         page += &self.summary(bugs);

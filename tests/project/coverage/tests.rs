@@ -1,4 +1,4 @@
-//! The judge of coverage, on a small specification.
+//! Tests of the judge of coverage, on a small specification.
 
 use super::{Cover, Kind, citations, cited, clauses, judge};
 
@@ -21,7 +21,7 @@ fn what_is_not_covered_is_seen() {
     assert!(text.contains("    source  a.rs\n    test    t.rs: holds\n"), "{text}");
     for missing in 0..fine.len() {
         let rest: Vec<_> = fine.iter().enumerate().filter(|&(i, _)| i != missing).map(|(_, x)| x.clone()).collect();
-        assert_eq!(judge(&spec, &rest).0.len(), 1, "{:?} is missed by nobody", fine[missing]);
+        assert_eq!(judge(&spec, &rest).0.len(), 1, "{:?} is not missed", fine[missing]);
     }
     let by = |text, cover| cite("p", text, cover).remove(0).by;
     assert_eq!(by("    lemma::<N>(\n  \"one step\",\n  \"[A-3] [A-1]\",", Cover::Smt), "p: one step");

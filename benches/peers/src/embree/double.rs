@@ -1,9 +1,9 @@
 //! Embree's boxes in single precision around triangles that are tested in double precision.
 //!
-//! So does double-down, for particle transport (github.com/pshriwise/double-down, `docs/methodology/implementation.rst`):
-//! triangles are user geometry, and their boxes are larger by √3 d 10⁻⁶, where d is the longest way through the scene, here
-//! its diagonal. The test is that of Plücker coordinates (Platis & Theoharis 2003); both neighbours compute their common
-//! edge alike.
+//! double-down uses this method for particle transport (github.com/pshriwise/double-down,
+//! `docs/methodology/implementation.rst`). Triangles are user geometry. Their boxes are enlarged by √3 d 10⁻⁶, where d
+//! is the longest path through the scene, here its diagonal. The test uses Plücker coordinates (Platis & Theoharis
+//! 2003); two neighbours compute their common edge with equal results.
 #![allow(
     clippy::cast_possible_truncation,
     reason = "Embree has triangles by 32 bits, and boxes and distances in single precision"
@@ -16,7 +16,7 @@ use crate::{Hit, PeerError, Ray, Tracer, each};
 
 type Point = [f64; 3];
 
-/// A committed scene, and what its callbacks read.
+/// A committed scene, and the data of its callbacks.
 pub(crate) struct DoubleScene {
     scene: Scene,
     /// Embree keeps its address. It is dropped after the scene.
@@ -25,7 +25,7 @@ pub(crate) struct DoubleScene {
 
 struct Triangles {
     corners: Vec<[Point; 3]>,
-    /// By which boxes are larger on each side.
+    /// Enlarges boxes on each side.
     margin: f64,
 }
 
@@ -37,7 +37,7 @@ pub(super) struct BoundsArguments {
     user: *const c_void,
     prim: c_uint,
     time: c_uint,
-    /// `RTCBounds`: a lower and an upper corner, each with a number that is not used.
+    /// `RTCBounds`: a lower and an upper corner, each with an unused number.
     bounds: *mut [[f32; 4]; 2],
 }
 
@@ -59,7 +59,7 @@ const _: () = assert!(size_of::<BoundsArguments>() == 24 && size_of::<RayArgumen
 pub(super) type Bounds = unsafe extern "C" fn(*const BoundsArguments);
 pub(super) type Callback<R> = unsafe extern "C" fn(*const RayArguments<R>);
 
-/// The ray in double precision, as the callbacks receive it. `tmax` is the distance of the nearest hit.
+/// The ray in double precision, for the callbacks. `tmax` is the distance of the nearest hit.
 #[repr(C)]
 struct DoubleContext {
     context: Context,
@@ -82,8 +82,8 @@ impl DoubleScene {
         let triangles = Box::new(Triangles { corners, margin: 3.0_f64.sqrt() * length * 1e-6 });
         let scene = Scene::of(USER, 0, Kind::Robust, |&Scene { geometry, api, .. }| {
             let address = (&raw const *triangles).cast::<c_void>().cast_mut();
-            // SAFETY: the geometry is one of a user. The triangles stay where they are until the scene is dropped, and
-            // nobody writes to them. The callbacks are those that the headers ask for.
+            // SAFETY: the geometry is a user geometry. The triangles are not moved or changed until the scene is
+            // dropped. The callbacks have the signatures of the headers.
             unsafe {
                 (api.set_count)(geometry, triangles.corners.len() as c_uint);
                 (api.set_user_data)(geometry, address);
@@ -101,7 +101,7 @@ impl Tracer for DoubleScene {
     fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         each(rays, hits, |ray| {
             let (mut context, mut hit) = (DoubleContext::new(ray), RayHit::new(ray));
-            // SAFETY: as in `Scene`, and the context is the first part of one that the callbacks know.
+            // SAFETY: see `Scene`. The context is the first field of a `DoubleContext`, which the callbacks expect.
             unsafe { (self.scene.api.intersect)(self.scene.handle, (&raw mut context).cast(), &raw mut hit) };
             (hit.geometry != NONE).then_some((hit.prim, context.tmax as f32))
         });
@@ -110,7 +110,7 @@ impl Tracer for DoubleScene {
     fn any(&self, rays: &[Ray], hits: &mut [bool]) {
         each(rays, hits, |ray| {
             let (mut context, mut part) = (DoubleContext::new(ray), RayPart::new(ray));
-            // SAFETY: as above.
+            // SAFETY: see `closest`.
             unsafe { (self.scene.api.occluded)(self.scene.handle, (&raw mut context).cast(), &raw mut part) };
             part.tfar == f32::NEG_INFINITY
         });
@@ -134,15 +134,15 @@ impl DoubleContext {
         if !is_met || sum == 0.0 {
             return None;
         }
-        // Along the axis on which the ray is fastest.
+        // Uses the axis with the greatest component of the direction.
         let k = (0..3).max_by(|&i, &j| self.direction[i].abs().total_cmp(&self.direction[j].abs())).unwrap_or(0);
         let at = (weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k]) / sum;
         let t = (at - self.origin[k]) / self.direction[k];
         (self.tmin <= t && t <= self.tmax).then_some(t)
     }
 
-    /// On which side of an edge the ray passes. The edge is taken in the order of its ends, so that two triangles find one
-    /// number, of two signs.
+    /// The side of an edge on which the ray passes. The end points are ordered, so two triangles compute one number,
+    /// with opposite signs.
     #[inline]
     fn side(&self, a: Point, b: Point) -> f64 {
         let is_turned = b < a;
@@ -155,34 +155,34 @@ impl DoubleContext {
 
 /// The box of a triangle.
 unsafe extern "C" fn bounds(arguments: *const BoundsArguments) {
-    // SAFETY: Embree gives arguments, with the triangles that it was given.
+    // SAFETY: Embree passes arguments with the triangles of the constructor.
     let (arguments, Triangles { corners, margin }) = unsafe { (&*arguments, &*(*arguments).user.cast::<Triangles>()) };
     let Some([a, b, c]) = corners.get(arguments.prim as usize) else { return };
     let lo = each_axis(|k| a[k].min(b[k]).min(c[k]) - margin);
     let hi = each_axis(|k| a[k].max(b[k]).max(c[k]) + margin);
-    // What rounding moves is far less than the margin, unless that is 0.
+    // Rounding errors are far smaller than the margin, unless the margin is 0.
     let [lo, hi] = [lo.map(|x| (x as f32).next_down()), hi.map(|x| (x as f32).next_up())];
-    // SAFETY: there is room for a box.
+    // SAFETY: there is space for a box.
     unsafe { *arguments.bounds = [[lo[0], lo[1], lo[2], 0.0], [hi[0], hi[1], hi[2], 0.0]] };
 }
 
-/// Notes the hit if it is nearer than the one before.
+/// Records the hit if it is nearer than the previous hit.
 unsafe extern "C" fn closest(arguments: *const RayArguments<RayHit>) {
-    // SAFETY: as for `found`; the ray is one with a hit.
+    // SAFETY: see `found`; the ray is an `RTCRayHit`.
     unsafe {
         if let Some(t) = found(arguments) {
             let RayArguments { context, ray, prim, geometry, .. } = *arguments;
             (*context.cast::<DoubleContext>()).tmax = t;
-            // Boxes that begin there are entered still.
+            // Boxes that begin at this distance are still entered.
             (*ray).ray.tfar = (t as f32).next_up();
             ((*ray).prim, (*ray).geometry) = (prim, geometry);
         }
     }
 }
 
-/// Notes whether there is a hit.
+/// Records whether there is a hit.
 unsafe extern "C" fn any(arguments: *const RayArguments<RayPart>) {
-    // SAFETY: as for `found`.
+    // SAFETY: see `found`.
     unsafe {
         if found(arguments).is_some() {
             (*(*arguments).ray).tfar = f32::NEG_INFINITY;
@@ -190,13 +190,14 @@ unsafe extern "C" fn any(arguments: *const RayArguments<RayPart>) {
     }
 }
 
-/// The distance of the triangle that Embree asks about.
+/// The distance of the triangle in the arguments.
 ///
 /// # Safety
-/// The arguments must be Embree's for one ray of [`DoubleScene`].
+/// The arguments must be Embree's, for one ray of [`DoubleScene`].
 #[inline]
 unsafe fn found<R>(arguments: *const RayArguments<R>) -> Option<f64> {
-    // SAFETY: rays are traced one by one, with a `DoubleContext`. Nothing else refers to it, or writes to the triangles.
+    // SAFETY: rays are traced one by one, with a `DoubleContext`. No other references to it exist, and the triangles
+    // are not changed.
     unsafe {
         let RayArguments { valid, user, prim, context, count, .. } = &*arguments;
         debug_assert_eq!(*count, 1);

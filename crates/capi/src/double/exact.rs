@@ -1,4 +1,4 @@
-//! Exact points, and rays that begin there, in double precision.
+//! Exact points, and rays that start at them, in double precision.
 
 use std::ptr;
 
@@ -11,11 +11,11 @@ use crate::memory::{In, Out, exclusive, shared};
 use crate::scene::Scene;
 use crate::types::{ExactRay, Hit, Ray};
 
-/// Makes an exact point of three numbers. `*point` is null after an error.
+/// Creates an exact point from three numbers. `*point` is null after an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_point_new_d(coordinates: *const f64, point: *mut *mut Point<DVec3>) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (mut made, coordinates) = unsafe {
             let mut made = Out::one("point", point)?;
             made.set(0, ptr::null_mut());
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn stackless_point_new_d(coordinates: *const f64, point: *
     })
 }
 
-/// Makes the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
+/// Creates the exact point at which a ray hits a face. It is not rounded. `*point` is null after an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_point_of_hit_d(
     scene: *const Scene<DVec3>,
@@ -35,7 +35,7 @@ pub unsafe extern "C" fn stackless_point_of_hit_d(
     point: *mut *mut Point<DVec3>,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (mut made, scene, ray) = unsafe {
             let mut made = Out::one("point", point)?;
             made.set(0, ptr::null_mut());
@@ -46,20 +46,20 @@ pub unsafe extern "C" fn stackless_point_of_hit_d(
     })
 }
 
-/// Destroys a point, which no thread may use any more. Null is ignored. Rays that began there do not need it.
+/// Destroys a point. No thread may use it any more. Null is ignored. Rays that started there do not need it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_point_free_d(point: *mut Point<DVec3>) -> Error {
     answer(|| {
         if !point.is_null() {
-            // SAFETY: the header requires a point that this library made, and that is used no more.
+            // SAFETY: the header requires an unused point of this library.
             drop(unsafe { Box::from_raw(ptr::from_mut(exclusive(point, "point")?)) });
         }
         Ok(())
     })
 }
 
-/// Finds the closest hit of a ray that begins at an exact point, and makes the exact point of the hit: the next ray may
-/// begin there. `point` may be null. `*point` is null after a miss and after an error.
+/// Finds the closest hit of a ray that starts at an exact point, and creates the exact point of the hit, at which the
+/// next ray may start. `point` may be null. `*point` is null after a miss and after an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_exact_closest1_d(
     scene: *const Scene<DVec3>,
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn stackless_exact_closest1_d(
     point: *mut *mut Point<DVec3>,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (scene, way, mut hit, mut made) = unsafe {
             let mut made = if point.is_null() { None } else { Some(Out::one("point", point)?) };
             if let Some(made) = &mut made {
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn stackless_exact_closest1_d(
     })
 }
 
-/// Finds out whether a ray that begins at an exact point hits anything.
+/// Finds whether a ray that starts at an exact point hits any face.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_exact_any1_d(
     scene: *const Scene<DVec3>,
@@ -93,7 +93,7 @@ pub unsafe extern "C" fn stackless_exact_any1_d(
     is_hit: *mut bool,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (scene, way, mut is_hit) = unsafe { (shared(scene, "scene")?, way(ray)?, Out::one("is_hit", is_hit)?) };
         is_hit.set(0, scene.exact_any1(&way)?);
         Ok(())
@@ -103,9 +103,9 @@ pub unsafe extern "C" fn stackless_exact_any1_d(
 /// Reads an exact ray.
 ///
 /// # Safety
-/// As [`shared`], for the ray and for its points.
+/// See [`shared`], for the ray and for its points.
 unsafe fn way<'a>(ray: *const ExactRay<f64, DVec3>) -> Result<Way<'a, DVec3>, Fault> {
-    // SAFETY: as the caller promises.
+    // SAFETY: the caller guarantees the requirements.
     unsafe {
         let ExactRay { origin, target, direction, tmax, is_closed } = *shared(ray, "ray")?;
         let target = if target.is_null() { None } else { Some(shared(target, "ray.target")?) };

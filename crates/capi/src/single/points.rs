@@ -8,9 +8,9 @@ use crate::memory::{In, Out, shared};
 use crate::scene::Scene;
 use crate::types::Near;
 
-/// Says of each point, three numbers, whether it is inside, outside or on a face: `STACKLESS_INSIDE`,
+/// Classifies each point, given by three numbers, as inside, outside or on a face: `STACKLESS_INSIDE`,
 /// `STACKLESS_OUTSIDE` or `STACKLESS_SURFACE`, by a rule `STACKLESS_RULE_...`. The first call after a build or a refit
-/// looks at all edges.
+/// examines all edges.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_locate_n_f(
     scene: *const Scene<Vec3>,
@@ -22,7 +22,7 @@ pub unsafe extern "C" fn stackless_locate_n_f(
     location_stride: usize,
     flags: u32,
 ) -> Error {
-    // SAFETY: the header requires what these functions do.
+    // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
         let points = In::new("points", points.cast(), point_stride, count)?;
         let locations = Out::new("locations", locations, location_stride, count)?;
@@ -30,8 +30,8 @@ pub unsafe extern "C" fn stackless_locate_n_f(
     })
 }
 
-/// Measures how far each point, three numbers, is from the mesh: the exact distance, rounded once, and negative inside
-/// by a rule `STACKLESS_RULE_...`.
+/// Computes the distance of each point, given by three numbers, from the mesh. It is exact, then rounded once, and
+/// negative inside by a rule `STACKLESS_RULE_...`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_signed_distances_n_f(
     scene: *const Scene<Vec3>,
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn stackless_signed_distances_n_f(
     distance_stride: usize,
     flags: u32,
 ) -> Error {
-    // SAFETY: the header requires what these functions do.
+    // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
         let points = In::new("points", points.cast(), point_stride, count)?;
         let distances = Out::new("distances", distances, distance_stride, count)?;
@@ -51,8 +51,8 @@ pub unsafe extern "C" fn stackless_signed_distances_n_f(
     })
 }
 
-/// Finds the point of the mesh that is nearest to each point, three numbers, and no farther than the radius, which may
-/// be infinite. Of equally near faces it is the one of the least index.
+/// Finds the point of the mesh that is nearest to each point, given by three numbers, within the radius, which may be
+/// infinite. Of equally near faces it returns the face with the least index.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_nearest_n_f(
     scene: *const Scene<Vec3>,
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn stackless_nearest_n_f(
     near_stride: usize,
     flags: u32,
 ) -> Error {
-    // SAFETY: the header requires what these functions do.
+    // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
         let points = In::new("points", points.cast(), point_stride, count)?;
         let nears = Out::new("nears", nears, near_stride, count)?;
@@ -72,8 +72,9 @@ pub unsafe extern "C" fn stackless_nearest_n_f(
     })
 }
 
-/// Finds the faces that are nearest to a point, three numbers, and no farther than the radius, which may be infinite: the
-/// first `capacity` ones in the order of distances and then of indices. Writes to `count` how many it has found.
+/// Finds the faces that are nearest to a point, given by three numbers, within the radius, which may be infinite.
+/// Writes the first `capacity` faces in the order of distances, then of indices. `count` receives the number of written
+/// faces.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_nearest_k1_f(
     scene: *const Scene<Vec3>,
@@ -85,7 +86,7 @@ pub unsafe extern "C" fn stackless_nearest_k1_f(
     count: *mut usize,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (scene, point, mut nears, mut count) = unsafe {
             let nears = Out::new("nears", nears, near_stride, capacity)?;
             (shared(scene, "scene")?, In::one("point", point.cast())?, nears, Out::one("count", count)?)

@@ -11,9 +11,9 @@ use crate::memory::{In, Out, exclusive, path, shared, values};
 use crate::scene::{Scene, check_count};
 use crate::types::Options;
 
-/// Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; they and the addresses of
-/// both arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null after
-/// an error.
+/// Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; the strides and addresses
+/// of these arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null
+/// after an error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_new_f(
     vertices: *const f32,
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn stackless_scene_new_f(
     scene: *mut *mut Scene<Vec3>,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (mut made, vertices, faces, options) = unsafe {
             let mut made = Out::one("scene", scene)?;
             made.set(0, ptr::null_mut());
@@ -43,20 +43,20 @@ pub unsafe extern "C" fn stackless_scene_new_f(
     })
 }
 
-/// Destroys a scene, which no thread may use any more. Null is ignored.
+/// Destroys a scene. No thread may use it any more. Null is ignored.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_free_f(scene: *mut Scene<Vec3>) -> Error {
     answer(|| {
         if !scene.is_null() {
-            // SAFETY: the header requires a scene that this library made, and that is used no more.
+            // SAFETY: the header requires an unused scene of this library.
             drop(unsafe { Box::from_raw(ptr::from_mut(exclusive(scene, "scene")?)) });
         }
         Ok(())
     })
 }
 
-/// Moves the vertices, as many as the scene has; the faces stay. Much faster than a new scene, but queries are slower
-/// the more the vertices have moved relative to each other. No other thread may use the scene meanwhile.
+/// Moves the vertices. The faces and the number of vertices stay. Much faster than a new scene, but queries become
+/// slower the more the vertices move relative to each other. No other thread may use the scene during the call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_refit_f(
     scene: *mut Scene<Vec3>,
@@ -65,7 +65,7 @@ pub unsafe extern "C" fn stackless_scene_refit_f(
     vertex_count: usize,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (scene, vertices) = unsafe {
             let scene = exclusive(scene, "scene")?;
             check_count(vertex_count, "vertex_count")?;
@@ -75,8 +75,8 @@ pub unsafe extern "C" fn stackless_scene_refit_f(
     })
 }
 
-/// Gives each face a mask, which the filters of rays are compared with. Masks are not saved. No other thread may use the
-/// scene meanwhile.
+/// Sets the mask of each face. Filters of rays are compared with these masks. Masks are not saved. No other thread may
+/// use the scene during the call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_set_masks_f(
     scene: *mut Scene<Vec3>,
@@ -84,14 +84,14 @@ pub unsafe extern "C" fn stackless_scene_set_masks_f(
     mask_stride: usize,
     face_count: usize,
 ) -> Error {
-    // SAFETY: the header requires what these functions do.
+    // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
         check_count(face_count, "face_count")?;
         exclusive(scene, "scene")?.set_masks(&In::new("masks", masks, mask_stride, face_count)?)
     })
 }
 
-/// Writes the numbers of vertices and of faces. Each pointer but the first may be null.
+/// Writes the numbers of vertices and of faces. Each pointer except the first may be null.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_counts_f(
     scene: *const Scene<Vec3>,
@@ -99,13 +99,13 @@ pub unsafe extern "C" fn stackless_scene_counts_f(
     face_count: *mut usize,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what this function does.
+        // SAFETY: the header states the requirements of this function.
         let mesh = unsafe { shared(scene, "scene") }?.mesh();
         let counts = [mesh.vertices().len(), mesh.triangles().len()];
         for (pointer, name, count) in [(vertex_count, "vertex_count", counts[0]), (face_count, "face_count", counts[1])]
         {
             if !pointer.is_null() {
-                // SAFETY: likewise.
+                // SAFETY: see above.
                 unsafe { Out::one(name, pointer) }?.set(0, count);
             }
         }
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn stackless_scene_bounds_f(
     upper: *mut f32,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (scene, mut lower, mut upper) =
             unsafe { (shared(scene, "scene")?, values("lower", lower, 3)?, values("upper", upper, 3)?) };
         let [least, greatest] = scene.bounds();
@@ -131,16 +131,16 @@ pub unsafe extern "C" fn stackless_scene_bounds_f(
     })
 }
 
-/// Writes a scene to a file, whole or not at all. The path is UTF-8. Files are the same on all machines, and those of
+/// Writes a scene to a file, atomically. The path is UTF-8. Files are portable between machines, and compatible with
 /// the Python package.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_save_f(scene: *const Scene<Vec3>, file: *const c_char) -> Error {
-    // SAFETY: the header requires what these functions do.
+    // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe { shared(scene, "scene")?.save(path(file, "file")?) })
 }
 
-/// Reads a scene from a file. Everything in it is checked. `threads` is as in `stackless_options`. `*scene` is null
-/// after an error.
+/// Reads a scene from a file, and checks its content. `threads` is as in `stackless_options`. `*scene` is null after an
+/// error.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_load_f(
     file: *const c_char,
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn stackless_scene_load_f(
     scene: *mut *mut Scene<Vec3>,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (mut made, file) = unsafe {
             let mut made = Out::one("scene", scene)?;
             made.set(0, ptr::null_mut());
@@ -159,8 +159,8 @@ pub unsafe extern "C" fn stackless_scene_load_f(
     })
 }
 
-/// Writes the bytes of a scene, as many as there is room for, and to `size` how many it has. To learn that, call it
-/// with a capacity of 0; `bytes` may then be null.
+/// Writes the bytes of a scene, up to the capacity. `size` receives the total number. With a capacity of 0, `bytes` may
+/// be null.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_to_bytes_f(
     scene: *const Scene<Vec3>,
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn stackless_scene_to_bytes_f(
     size: *mut usize,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (scene, mut room, mut size) =
             unsafe { (shared(scene, "scene")?, values("bytes", bytes, capacity)?, Out::one("size", size)?) };
         size.set(0, room.fill(&scene.to_bytes()?));
@@ -177,7 +177,7 @@ pub unsafe extern "C" fn stackless_scene_to_bytes_f(
     })
 }
 
-/// Reads a scene from bytes, as `stackless_scene_load_f`.
+/// Reads a scene from bytes, like `stackless_scene_load_f`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_scene_from_bytes_f(
     bytes: *const u8,
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn stackless_scene_from_bytes_f(
     scene: *mut *mut Scene<Vec3>,
 ) -> Error {
     answer(|| {
-        // SAFETY: the header requires what these functions do.
+        // SAFETY: the header states the requirements of these functions.
         let (mut made, bytes) = unsafe {
             let mut made = Out::one("scene", scene)?;
             made.set(0, ptr::null_mut());

@@ -1,5 +1,5 @@
-//! The default traversal in double precision: the same rays and triangles, where they are and in places that single
-//! precision cannot hold.
+//! The default traversal in double precision, with the rays and triangles of single precision: unchanged, and in places
+//! that single precision cannot represent.
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use glam::{DVec3, Vec3};
@@ -14,14 +14,14 @@ use crate::build;
 use crate::input::{self, Scene};
 use crate::judge::{Answer, Query};
 
-/// Where a scene stands. But for [`AS_IT_IS`](Place::AS_IT_IS), it is brought to an extent of about 1 first.
+/// The place of a scene. Except for [`AS_IT_IS`](Place::AS_IT_IS), the scene is first scaled to an extent of about 1.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     name: &'static str,
     scale: f64,
-    /// In parts of the scale.
+    /// Translation, in units of the scale.
     shift: f64,
-    /// Added to the least component of each direction.
+    /// Added to the smallest component of each direction.
     tilt: f64,
 }
 
@@ -35,20 +35,20 @@ const PLACES: [Place; 6] = [
 ];
 
 impl Place {
-    /// Nothing is rounded, so its answers are those of the scene in single precision.
+    /// Without rounding, the answers equal those in single precision.
     pub(super) const AS_IT_IS: Self = Self { name: "wide-record-f64", scale: 1.0, shift: 0.0, tilt: 0.0 };
 }
 
 /// The names of all places.
 pub(super) const NAMES: &str = "f64,6.4e6,1e9,1e-50,1e50,1e-130";
 
-/// A place by its name.
+/// Reads a place by its name.
 pub(super) fn place() -> impl TypedValueParser<Value = Place> {
     let names = NAMES.split(',').map(PossibleValue::new).zip(PLACES);
     input::listed(names.collect())
 }
 
-/// The default traversal in double precision, in these places.
+/// Builds the default traversal in double precision, for these places.
 pub(super) fn build(
     scene: &Scene,
     build: Builder,
@@ -108,9 +108,9 @@ struct Double {
     build: Builder,
     tracer: Tracer<WideBvh<8, DVec3>, DVec3>,
     build_seconds: f64,
-    /// The rays that were taken.
+    /// The prepared rays.
     rays: Vec<Ray<DVec3>>,
-    /// Room for answers.
+    /// Buffer for answers.
     found: Vec<Option<(u32, f64)>>,
     manner: Manner,
 }
@@ -124,7 +124,7 @@ impl Contestant for Double {
         Some(self.build)
     }
 
-    /// None of those that are compared bit by bit: distances are rounded twice, or the rays are others.
+    /// `None`, because answers are not compared bit by bit: distances are rounded twice, or the rays differ.
     fn accuracy(&self) -> Option<Accuracy> {
         None
     }
@@ -138,7 +138,7 @@ impl Contestant for Double {
     }
 
     fn take(&mut self, rays: &[Ray]) {
-        // A direction that vanishes leaves any other: the number of rays has to stay.
+        // An invalid direction becomes an arbitrary one, so that the number of rays is unchanged.
         let other = Ray::new(DVec3::ZERO, DVec3::X);
         let taken = rays.iter().filter_map(|ray| self.space.ray(ray).or(other.as_ref().ok().copied()));
         self.rays = taken.collect();

@@ -1,4 +1,4 @@
-//! The traversals of this library, each with the tests of a level.
+//! The traversals of this library, with the tests of a level of accuracy.
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Builder, Bvh};
@@ -12,12 +12,12 @@ use crate::build;
 use crate::input::Scene;
 use crate::judge::{Answer, Query};
 
-/// The tree over a mesh.
+/// The trees over a mesh.
 pub(super) struct Trees {
     build: Builder,
-    /// With uncles in its records.
+    /// With uncles in the records.
     uncles: KernelBvhs,
-    /// With parents and siblings.
+    /// With parents and siblings in the records.
     parents: KernelBvhs,
     build_seconds: f64,
 }
@@ -33,7 +33,7 @@ impl Trees {
         self.parents.corners()
     }
 
-    /// A traversal, over the tree whose records suit it.
+    /// Returns a traversal, over the tree with the records that it needs.
     pub(super) fn contestant(
         &self,
         method: Method,
@@ -63,7 +63,7 @@ impl<'a> WithTests for MakeRunner<'a> {
     }
 }
 
-/// A traversal with its tree, that tree's tables, and the types of its tests.
+/// A traversal with its tree, the tree's tables, and the types of its tests.
 struct Runner<'a, K: Kernel, B> {
     make: MakeRunner<'a>,
     tracer: BinaryTracer<&'a Bvh<K::Shape>, K, B>,
@@ -87,7 +87,7 @@ impl<K: Kernel<Vector = Vec3, Shape: KernelShape>, B: Slabs<Vector = Vec3>> Cont
             Query::Closest => self.tracer.closest_distances(rays, answers),
             Query::Any => {
                 let hits = self.tracer.any_each(rays);
-                // Which hit it is does not count.
+                // The query does not report a triangle.
                 answers.iter_mut().zip(hits).for_each(|(answer, hit)| *answer = hit.then_some((0, 0.0)));
             }
         }

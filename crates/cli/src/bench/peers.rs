@@ -1,4 +1,4 @@
-//! Ray tracers by others.
+//! Other ray tracers.
 
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::{Mesh, Ray};
@@ -8,7 +8,7 @@ use stackless_peers as peers;
 use super::{Contestant, timed};
 use crate::judge::{Answer, Query};
 
-/// Builds all peers that are there; a note says why one is not.
+/// Builds all available peers. A note gives the reason for each missing peer.
 pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contestant>> {
     let vertices = vertices(mesh);
     let mut built = Vec::<Box<dyn Contestant>>::new();
@@ -24,12 +24,12 @@ pub(super) fn build(mesh: &Mesh, notes: &mut Vec<String>) -> Vec<Box<dyn Contest
     built
 }
 
-/// Vertices as peers take them.
+/// Vertices in the format of peers.
 pub(crate) fn vertices(mesh: &Mesh) -> Vec<[f32; 3]> {
     mesh.vertices().iter().map(glam::Vec3::to_array).collect()
 }
 
-/// A ray as peers take it.
+/// A ray in the format of peers.
 pub(crate) fn plain(ray: &Ray) -> peers::Ray {
     peers::Ray {
         origin: ray.origin().to_array(),
@@ -43,9 +43,9 @@ struct Foreign {
     peer: peers::Peer,
     tracer: Box<dyn peers::Tracer>,
     build_seconds: f64,
-    /// The rays that were taken.
+    /// The prepared rays.
     rays: Vec<peers::Ray>,
-    /// Room for answers.
+    /// Buffer for answers.
     blocked: Vec<bool>,
 }
 
@@ -74,7 +74,7 @@ impl Contestant for Foreign {
             Query::Any => {
                 let blocked = &mut self.blocked[..rays.len()];
                 self.tracer.any(rays, blocked);
-                // Peers do not say which triangle they met.
+                // Peers do not report the triangle.
                 for (answer, &blocked) in answers.iter_mut().zip(&*blocked) {
                     *answer = blocked.then_some((0, 0.0));
                 }

@@ -1,4 +1,4 @@
-//! The rays that are traced.
+//! The traced rays.
 
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
@@ -9,17 +9,17 @@ use stackless_bvh::trace;
 use crate::input::Scene;
 use crate::judge::Query;
 
-/// What rays are for.
+/// The kind of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Kind {
-    /// Closest hits of a camera's rays, row by row.
+    /// Closest hits of camera rays, row by row.
     Primary,
-    /// Any hit of rays from where the camera's hit: ambient occlusion within a tenth of the scene's diagonal.
+    /// Any hit of rays from the camera rays' hits: ambient occlusion within a tenth of the scene's diagonal.
     Any,
-    /// Closest hits of endless rays from there.
+    /// Closest hits of unbounded rays from the camera rays' hits.
     Diffuse,
-    /// Closest hits of rays that are aimed at edges, corners and planes, where rounding errs.
+    /// Closest hits of rays at edges, corners and planes, where rounding errs.
     Aimed,
 }
 
@@ -41,14 +41,13 @@ pub(super) struct Set {
     pub(super) rays: Vec<Ray>,
 }
 
-/// How far an occlusion ray reaches, in diagonals of the scene. Occlusion counts nearby; endless rays would all hit in
-/// a closed room.
+/// The length of occlusion rays, in diagonals of the scene. Unbounded rays would all hit in a closed room.
 const REACH: f32 = 0.1;
 
-/// The sets of these kinds: a camera's rays, one from each of their hits, and as many as the camera's that are aimed.
+/// Sets of these kinds: camera rays, one ray from each of their hits, and an equal number of aimed rays.
 ///
-/// Occlusion rays go where the diffuse ones go (by the cosine, as Binder & Keller and Barringer & Akenine-Möller have
-/// it), only not as far.
+/// Occlusion rays have the directions of the diffuse rays (cosine distribution, like Binder & Keller and Barringer &
+/// Akenine-Möller).
 pub(super) fn sets(scene: &Scene, bvh: &Bvh, primary: Vec<Ray>, kinds: Vec<Kind>, seed: u64) -> Vec<Set> {
     let diffuse = trace::bounce(&scene.mesh, bvh, &primary, seed);
     let reach = REACH * bvh.bounds().extent().length();

@@ -1,4 +1,4 @@
-//! The figures, as they are printed and written.
+//! The figures as printed and written.
 
 use serde::Serialize;
 
@@ -9,29 +9,29 @@ use crate::judge::Counts;
 use crate::output::{Table, table};
 use crate::turns::{Times, geometric_mean};
 
-/// One contestant on one set of rays. What is not known is `None`.
+/// The figures of one contestant on one set of rays. Unknown figures are `None`.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Row {
     scene: String,
     rays: Kind,
-    /// How the tree was built; `own` for that of a peer.
+    /// The builder; `own` for a peer.
     build: String,
     method: &'static str,
-    /// A level, or `own` for the tests of a peer.
+    /// The level of accuracy; `own` for a peer.
     accuracy: &'static str,
-    /// Rays that were timed in each round.
+    /// Number of timed rays in each round.
     count: usize,
     mrays: f64,
     ratio: f64,
     state_bytes: Option<usize>,
     nodes_per_ray: Option<f64>,
-    /// Million triangles a second, of one thread, for the tree alone.
+    /// Million triangles per second and thread, for the tree without tables.
     build_mtriangles: f64,
     #[serde(flatten)]
     errors: Option<Errors>,
 }
 
-/// What is wrong about some of the rays.
+/// The errors of the judged rays.
 #[derive(Clone, Copy, Debug, Serialize)]
 struct Errors {
     judged: u64,
@@ -60,13 +60,13 @@ impl Row {
         }
     }
 
-    /// With the times of contestant `own`, compared with those of contestant `base`.
+    /// Adds the times of contestant `own`, compared with those of contestant `base`.
     pub(super) fn timed(self, times: &Times, own: usize, base: usize) -> Self {
         let [own, base] = [own, base].map(|contestant| times.by_chunk(contestant).iter().sum::<f64>());
         Self { mrays: self.count as f64 / own / 1e6, ratio: base / own, ..self }
     }
 
-    /// With the number of nodes that all rays visit.
+    /// Adds the number of nodes that all rays visit.
     pub(super) fn counted(self, nodes: Option<u64>) -> Self {
         Self { nodes_per_ray: nodes.map(|nodes| nodes as f64 / self.count as f64), ..self }
     }
@@ -109,7 +109,7 @@ pub(super) fn of_scene(rows: &[Row]) -> Table {
     table(&header, 5, rows.iter().map(cells).collect())
 }
 
-/// Geometric means of the ratios of each contestant: of each kind of rays over the scenes, and of all.
+/// Geometric means of the ratios of each contestant, over the scenes: for each kind of rays, and for all rays.
 pub(super) fn means(rows: &[Row]) -> Table {
     let mut kinds = Vec::new();
     for row in rows {

@@ -21,19 +21,19 @@ pub(super) struct WideTree {
     build_seconds: f64,
 }
 
-/// How rays are traced.
+/// The method of tracing.
 #[derive(Clone, Copy)]
 pub(super) struct Manner {
-    /// With the instructions of this level.
+    /// The instruction level.
     pub(super) level: Level,
-    /// One at a time, not two in turns.
+    /// Traces single rays instead of two interleaved rays.
     pub(super) is_alone: bool,
-    /// Closest hits have their weights.
+    /// Computes the weights of closest hits.
     pub(super) with_weights: bool,
 }
 
 impl Manner {
-    /// Answers rays by a tracer of either precision.
+    /// Traces rays, in either precision.
     pub(super) fn trace<V: Precision>(
         self,
         tracer: &Tracer<impl Borrow<WideBvh<8, V>>, V>,
@@ -41,7 +41,7 @@ impl Manner {
         rays: &[Ray<V>],
         answers: &mut [Option<(u32, V::Real)>],
     ) {
-        // Weights are computed only if somebody wants them.
+        // `black_box` keeps the weights, which would otherwise not be computed.
         let of_hit = |hit: Option<Hit<V::Real>>| hit.map(|hit| (hit.prim, black_box(hit).t));
         let of_any = |is_hit: bool| is_hit.then_some((0, V::Real::ZERO));
         let piece = if self.is_alone { 1 } else { rays.len().max(1) };

@@ -1,4 +1,4 @@
-//! Scenes and their rays, in single or in double precision.
+//! Checks of scenes and their rays, in single or in double precision.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -20,13 +20,13 @@ use crate::input::{self, MADE, Scene};
 use crate::output::{bar, warn};
 use crate::record::{Run, fingerprint, in_blocks};
 
-/// All that are checked, in one precision.
+/// The checked scenes, in one precision.
 pub(super) enum Scenes {
     Single(Vec<Scene>),
     Double(Vec<Scene<DVec3>>),
 }
 
-/// How far scenes are moved.
+/// The translation of scenes.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Shift(DVec3);
 
@@ -56,7 +56,7 @@ impl Scenes {
         Ok(Self::Double(scenes))
     }
 
-    /// The scenes that are made.
+    /// The generated scenes.
     pub(super) fn made(double: bool, shift: Shift) -> Result<Self, Box<dyn Error>> {
         Self::load(&MADE.map(PathBuf::from), double, shift)
     }
@@ -75,7 +75,7 @@ impl Scenes {
         }
     }
 
-    /// Checks so many rays through each.
+    /// Checks `count` rays through each scene.
     pub(super) fn check(
         &self,
         plan: &Plan,
@@ -89,7 +89,7 @@ impl Scenes {
             Self::Single(scenes) => {
                 for (index, scene) in scenes.iter().enumerate() {
                     let numbers = take(index);
-                    // A part of a run may have none of a scene's rays.
+                    // A part of a run may have no rays of a scene.
                     if numbers.is_empty() {
                         continue;
                     }
@@ -108,13 +108,13 @@ impl Scenes {
                     let drawn = in_blocks(numbers, count, plan.seed, |seed, n| procedural::rays(&home.mesh, seed, n));
                     let rays = drawn.map(|(number, ray)| {
                         let ray = home.ray(&ray)?;
-                        // Single precision aims at no corner: half of the rays are aimed anew.
+                        // `procedural::rays` does not aim at corners, so half of the rays get a new direction.
                         let aimed = if number / 8 % 2 == 1 { aimed(&truth, &scene.mesh, &ray) } else { None };
                         Ok((number, aimed.unwrap_or(ray)))
                     });
                     let rays = rays.collect::<Result<Vec<_>, RayError>>()?;
                     check_one::<Exact64, Slabs64, _>(plan, index, scene, &truth, &rays, total)?;
-                    // A scene that was moved may have more of them.
+                    // A translation may create triangles without area.
                     if let Some(note) = scene.degenerate_note() {
                         warn(&note);
                     }
@@ -125,7 +125,7 @@ impl Scenes {
     }
 }
 
-/// A mesh brought to the origin and to a size of about 1, in single precision: there its rays are drawn.
+/// A mesh translated and scaled to the origin and a size of about 1, in single precision. Rays are drawn there.
 struct Home {
     mesh: Mesh,
     origin: DVec3,
@@ -140,14 +140,15 @@ impl Home {
         Ok(Self { mesh: Mesh::new(vertices, mesh.triangles().to_vec())?, origin, unit })
     }
 
-    /// The ray where the mesh is.
+    /// Maps a ray to the original mesh.
     fn ray(&self, ray: &Ray) -> Result<Ray<DVec3>, RayError> {
         let [o, d] = [ray.origin(), ray.direction()].map(|v| v.as_dvec3() * self.unit);
         Ray::within(o + self.origin, d, ray.tmin().into(), ray.tmax().into())
     }
 }
 
-/// From the same origin to a corner of the triangle that is hit, or to the middle of an edge. `None` if none is hit.
+/// A ray from the origin of `ray` to a corner of the triangle that it hits, or to the middle of an edge. `None` on a
+/// miss.
 fn aimed(truth: &Truth<DVec3>, mesh: &Mesh<DVec3>, ray: &Ray<DVec3>) -> Option<Ray<DVec3>> {
     let hit = truth.closest(ray)?.rounded();
     let [a, b, c] = mesh.triangle(hit.prim as usize);
@@ -160,8 +161,7 @@ fn aimed(truth: &Truth<DVec3>, mesh: &Mesh<DVec3>, ray: &Ray<DVec3>) -> Option<R
     Ray::new(ray.origin(), target - ray.origin()).ok()
 }
 
-/// Rays through the scene, with their numbers, under a tree by surface area, a complete one by medians, and one with
-/// triangles in parts. The first disagreement under each is kept.
+/// Checks rays through the scene under the trees of [`build::CHECKED`]. Keeps the first disagreement under each tree.
 fn check_one<K, B, V>(
     plan: &Plan,
     index: usize,
@@ -186,7 +186,7 @@ where
         let found = found.map(|found| SceneDisagreement { number: first + found.number, ..found });
         total.scenes.extend(found.map(|found| SceneFault::new(index, scene, build, &found)));
         total.tally = std::mem::take(&mut total.tally).merge(&tally);
-        // Of all parts the first counts it.
+        // The part with the first ray counts the tree.
         total.trees += u64::from(first == 0);
         total.rays += rays.len() as u64;
     }

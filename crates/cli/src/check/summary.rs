@@ -1,4 +1,4 @@
-//! What `stackless check` counts.
+//! The counts of `stackless check`.
 
 use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
@@ -23,13 +23,13 @@ pub(crate) struct Summary {
     rays: u64,
     methods: usize,
     disagreements: u64,
-    /// How often a traversal was put aside and taken up again.
+    /// Number of pauses and resumptions of a traversal.
     resumes: u64,
-    /// Depth in edges for which the bytes of state are given.
+    /// Depth in edges that determines the bytes of state.
     depth: u32,
     rows: Vec<Row>,
     smallest: Option<Smallest>,
-    /// What went wrong when a traversal was taken up, first in the order of the trees.
+    /// The first fault of a resumed traversal, in the order of the trees.
     pause_fault: Option<Numbered<String>>,
     scene_faults: Vec<SceneFault>,
 }
@@ -47,10 +47,10 @@ struct Row {
     state_bytes: usize,
 }
 
-/// A disagreement in the smallest case that has one.
+/// The smallest case with a disagreement.
 #[derive(Serialize, Deserialize)]
 struct Smallest {
-    /// Number of the case and its nodes, before it was made small.
+    /// Number of the case and of its nodes, before shrinking.
     number: u64,
     nodes: usize,
     replay: Replay,
@@ -68,7 +68,7 @@ pub(super) struct SceneFault {
 
 impl Summary {
     pub(super) fn new(plan: &Plan, total: &Total) -> Self {
-        // The state is given for the depth asked for; of trees of many depths, for the depth that a u32 carries.
+        // The state is given for the requested depth; for trees of many depths, for the maximum depth of a u32.
         let depth = total.tally.depth.min(plan.options.depth.unwrap_or(31));
         let pairs = plan.pairs();
         let methods = pairs.iter().map(|(method, _)| method).collect::<HashSet<_>>().len();
@@ -104,7 +104,7 @@ impl Counts for Summary {
         expect("rays", self.rays, rays..=rays)?;
         let methods: HashSet<_> = self.rows.iter().map(|row| &row.method).collect();
         expect("methods", self.methods as u64, methods.len() as u64..=methods.len() as u64)?;
-        // Each ray is a query for the closest hit and one for any.
+        // Each ray is a closest-hit and an any-hit query.
         let cases = abstract_trees.saturating_add(rays.saturating_mul(2));
         let (mut keys, mut wrong) = (HashSet::new(), 0_u64);
         for row in &self.rows {
@@ -116,7 +116,7 @@ impl Counts for Summary {
                 return Err(format!("{name}: two rows, expected one"));
             }
         }
-        // Faults of the oracle and of pauses are in no row.
+        // Faults of the oracle and of pauses belong to no row.
         let is_faulty = self.smallest.is_some() || self.pause_fault.is_some() || !self.scene_faults.is_empty();
         expect("disagreements", self.disagreements, wrong.max(is_faulty.into())..=u64::MAX)
     }
@@ -154,7 +154,7 @@ impl Counts for Summary {
         counts.map(|(number, what)| count(number, what)).join(", ")
     }
 
-    /// What went wrong, and the table.
+    /// Prints the disagreements and the table.
     fn print(&self) {
         let refused = self.rows.iter().filter_map(|row| row.refusal.as_ref().map(|why| (row, why)));
         if let Some((row, why)) = refused.into_iter().next() {
@@ -171,7 +171,7 @@ impl Counts for Summary {
             say!("{}", serde_json::to_string(replay).unwrap_or_default());
         }
         if self.resumes > 0 {
-            say!("put aside and taken up again: {} times", grouped(self.resumes));
+            say!("paused and resumed: {} times", grouped(self.resumes));
         }
         if let Some(Numbered { number, found }) = &self.pause_fault {
             say!("tree {number}: {found}");
@@ -189,7 +189,7 @@ impl Counts for Summary {
         self.rows.iter().all(|row| row.cases == 0)
     }
 
-    /// All trees of a size are no sample of others.
+    /// All trees up to a size are not a sample.
     fn claim(&self, run: &Run) -> String {
         match (run.asked.get("leaves").and_then(Value::as_u64), self.cases_and_errors()) {
             (Some(leaves), [cases, 0]) => {
@@ -225,7 +225,7 @@ impl Row {
         self.refused = self.refused.saturating_add(other.refused);
         self.steps = self.steps.saturating_add(other.steps);
         self.refusal = self.refusal.take().into_iter().chain(other.refusal).max();
-        // Stacks have no word, and as many bytes in each.
+        // Stacks have the same size for every word.
         let word = self.word.parse().unwrap_or(WordName::U32);
         if let Ok(method) = self.method.parse::<Method>() {
             self.state_bytes = method.state_bytes_in(word, depth);
@@ -239,7 +239,7 @@ impl Row {
 }
 
 impl Smallest {
-    /// The case made small, in the form of a file.
+    /// The shrunk case, in the format of a file.
     fn of(found: &Disagreement) -> Self {
         let &Disagreement { number, method, word, fault, .. } = found;
         let verdict = |case: &_| Battery::new(case, &[method]).check(method, word);
@@ -261,8 +261,8 @@ impl SceneFault {
         let query = if *any { "any hit" } else { "closest hit" };
         let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin().components(), ray.direction().components());
         let name = &scene.name;
-        let mut text = format!("{name}, {tree} tree, {query}, ray {number}: {who} differs for the ray\n");
-        // Writing to a string cannot fail.
+        let mut text = format!("{name}, {tree} tree, {query}, ray {number}: {who} disagrees on this ray\n");
+        // Writing to a string is infallible.
         let _ = writeln!(text, "  {ox:?},{oy:?},{oz:?},{dx:?},{dy:?},{dz:?},{:?},{:?}", ray.tmin(), ray.tmax());
         let _ = writeln!(text, "  expected {expected:?}");
         let _ = write!(text, "  found    {found:?}");

@@ -33,33 +33,33 @@ pub(crate) use total::{Found, SecondaryFound};
 
 /// Measure run time against error, for every triangle test with every box test.
 ///
-/// Times are of one thread, over one tree, in one run: a ratio is the median over chunks of rays of a pair's time to
-/// that of `moller-32` with `plain` boxes. Errors are told by rational arithmetic, on ordinary rays (a camera's, and
-/// from where those hit) and on rays that are aimed at edges, corners and planes. Both kinds are timed. The
-/// exit code is 1 if an exact test with `directed` boxes errs at all.
+/// Times are of one thread over one tree, in one run. A ratio is the median over chunks of rays: a pair's time, divided
+/// by that of `moller-32` with `plain` boxes. Errors are judged by rational arithmetic. Ordinary rays are camera rays
+/// and rays from their hits; adversarial rays are aimed at edges, corners and planes. Both kinds are timed. The exit
+/// code is 1 if an exact test with `directed` boxes errs.
 ///
-/// With --shard, all rays are judged and none are timed. Then the record has counts of errors and the greatest error of a
-/// distance, which add up. Times, means and quantiles do not: they belong to a whole run on one machine.
+/// With --shard, all rays are judged and none are timed. The record then has counts of errors and the greatest error of
+/// a distance, which add up. Times, means and quantiles need a whole run on one machine.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     lab accuracy examples/data/slivers.ply spheres --plot accuracy.svg --json accuracy.json\n  \
     lab accuracy soup --secondary --count 10000\n  \
     lab accuracy soup --count 1000000 --shard 3/64 --json 3.json")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), the made scenes `strands`, `stadium`, `soup`, or `spheres`: closed
-    /// ones, only for leaks.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), the generated scenes `strands`, `stadium`, `soup`, or `spheres`:
+    /// closed meshes, only for leaks.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
     /// Draw time against error, as SVG.
     #[arg(long, value_name = "FILE", value_parser = places::file_as("svg"))]
     plot: Option<Output>,
-    /// Write all counts to this file: a record for `lab merge`.
+    /// Write all counts to this file, a record for `lab merge`.
     #[arg(long, value_name = "FILE", value_parser = places::file())]
     json: Option<Output>,
-    /// Rays of each kind: so many are timed, and up to 20,000 of them judged. Below 65,536 `spheres` has fewer too.
+    /// Number of timed rays of each kind. Up to 20,000 of them are judged. Below 65,536, `spheres` has fewer rays, too.
     #[arg(long, default_value_t = 65_536, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
-    /// How often all rays are timed; of a chunk's times the least counts.
+    /// Number of rounds. The least time of each chunk counts.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
     #[command(flatten)]
@@ -67,25 +67,25 @@ pub(crate) struct Args {
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Measure instead what rays from surfaces get wrong, by where they begin. So many camera rays are traced, and from
-    /// each hit a ray of ambient occlusion. All answers are judged by rational arithmetic.
+    /// Measure the errors of rays from surfaces instead, by their start points. Trace --count camera rays, and a ray of
+    /// ambient occlusion from each hit. Rational arithmetic judges all answers.
     #[arg(long, conflicts_with_all = ["plot", "rounds"])]
     secondary: bool,
-    /// Run one of N parts of this, and count errors alone. `lab merge` adds them up.
+    /// Run only part I of N, and only count errors. `lab merge` adds them up.
     #[arg(long, value_name = "I/N", conflicts_with_all = ["plot", "rounds", "picture"])]
     shard: Option<Shard>,
-    /// Draw which of these are wrong, as PNG.
+    /// Draw the pixels with wrong rays, as PNG.
     #[arg(long, value_name = "FILE", requires = "secondary", value_parser = places::file_as("png"))]
     picture: Option<Output>,
 }
 
-/// Rays of a kind that are judged.
+/// Maximum number of judged rays of a kind.
 const JUDGED: u64 = 20_000;
 
-/// The name of the scene that is several.
+/// The name of the spheres, as a scene.
 const SPHERES: &str = "spheres";
 
-/// Rays of a part that are made and judged at once.
+/// Number of rays of a part that are generated and judged at once.
 const AT_ONCE: u64 = 1 << 16;
 
 pub(crate) fn run(args: &Args) -> Outcome {
@@ -93,15 +93,15 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let scenes = scenes.into_iter().map(|path| Scene::load(path)).collect::<Result<Vec<_>, _>>()?;
     if args.secondary {
         if !spheres.is_empty() {
-            return Err(format!("--secondary needs scenes with a camera, and {SPHERES} has none").into());
+            return Err(format!("--secondary: {SPHERES} has no camera, expected other scenes").into());
         }
         if args.picture.is_some() && scenes.len() > 1 {
-            return Err("--picture shows one scene, and several are named".into());
+            return Err("--picture: expected one scene".into());
         }
         return secondary::run(args, &scenes);
     }
     if args.plot.is_some() && scenes.is_empty() {
-        return Err(format!("--plot needs a scene that is timed, and {SPHERES} is not").into());
+        return Err(format!("--plot: {SPHERES} is not timed, expected another scene").into());
     }
     let shard = args.shard.unwrap_or(Shard::WHOLE);
     let mut run = args.asked::<Found>(&scenes);
@@ -125,12 +125,12 @@ pub(crate) fn run(args: &Args) -> Outcome {
 }
 
 impl Args {
-    /// How many of so many rays are judged: of a part all.
+    /// The number of judged rays of `of` rays. A part judges all rays.
     fn judged(&self, of: u64) -> u64 {
         if self.shard.is_some() { of } else { of.min(JUDGED) }
     }
 
-    /// What the counts depend on.
+    /// The options that determine the counts.
     fn asked<C: record::Counts>(&self, scenes: &[Scene]) -> Run {
         Run::of::<C>([
             ("rays", self.count.into()),
@@ -190,7 +190,7 @@ fn measure_scene(
     Ok(())
 }
 
-/// What each pair gets wrong, of at most so many rays of a set.
+/// Judges each pair on at most `most` rays of a set.
 fn judge(scene: &Scene, trees: &Trees, truth: &Truth, pairs: &[Pair], set: &Set, most: usize) -> Vec<Row> {
     let name = format!("{}, {}", scene.name, set.name);
     let truths = Truths::new(truth, &set.rays, most, &name);
@@ -205,7 +205,7 @@ fn judge(scene: &Scene, trees: &Trees, truth: &Truth, pairs: &[Pair], set: &Set,
     pairs.iter().zip(counts).map(row).collect()
 }
 
-/// What each pair gets wrong.
+/// The errors of each pair.
 fn errors(truths: &Truths, trees: &Trees, pairs: &[Pair], query: Query, name: &str) -> Vec<Counts> {
     let progress = bar(pairs.len() as u64, &format!("{name}, errors"));
     let counts = pairs.iter().map(|pair| {

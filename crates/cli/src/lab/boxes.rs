@@ -1,4 +1,4 @@
-//! `lab boxes`: box tests alone, against rational arithmetic.
+//! `lab boxes`: compares the box tests with rational arithmetic.
 
 use serde::{Deserialize, Serialize};
 use stackless_bvh::trace::SlabsName;
@@ -11,17 +11,17 @@ use crate::record::{Counts, Run, expect};
 
 /// Count how often each box test skips a box that its ray touches.
 ///
-/// The exit code is 1 if the `directed` test does.
+/// The exit code is 1 if the `directed` test skips such a box.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  lab boxes 1000000")]
 pub(crate) struct Args {
-    /// Rays, with a box each.
+    /// Number of rays, each with a box.
     #[arg(value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
     rays: u64,
     /// Seed of the rays.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Run one of N parts of this. `lab merge` adds their counts up.
+    /// Run only part I of N. `lab merge` adds up the counts.
     #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE, hide_default_value = true)]
     shard: Shard,
     /// Write the counts to this file.
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     run.finish(BoxCounts(tally), args.json.as_deref())
 }
 
-/// How often boxes were skipped that the ray touches.
+/// Counts of skipped boxes that the ray touches.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct BoxCounts(BoxTally);
 
@@ -48,7 +48,7 @@ impl Counts for BoxCounts {
 
     fn check(&self, run: &Run) -> Result<(), String> {
         let BoxTally { rays, touched, skipped, in_vain } = self.0;
-        // Not every number makes a ray.
+        // Some numbers yield no valid ray.
         expect("rays", rays, 0..=run.done(|_| true))?;
         expect("touched", touched, 0..=rays)?;
         skipped.into_iter().try_for_each(|skipped| expect("skipped", skipped, 0..=touched))?;
@@ -70,7 +70,7 @@ impl Counts for BoxCounts {
         format!("{} with a box each, {} touched", count(self.0.rays, "ray"), grouped(self.0.touched))
     }
 
-    /// Those of the directed test.
+    /// The counts of the directed test.
     fn cases_and_errors(&self) -> [u64; 2] {
         [self.0.rays, self.0.skipped[2]]
     }

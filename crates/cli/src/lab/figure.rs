@@ -1,4 +1,4 @@
-//! `lab figure`: figures of Binder & Keller 2016, of any scene.
+//! `lab figure`: figures of Binder & Keller 2016, for any scene.
 
 use std::path::PathBuf;
 
@@ -17,20 +17,20 @@ use crate::render::{Heat, Job, Rays};
 pub(crate) struct Args {
     #[arg(value_enum)]
     figure: Figure,
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// The picture, a .png file; `-` is the standard output.
+    /// Write the picture to this .png file; `-` is the standard output.
     #[arg(short, long, value_name = "FILE", value_parser = places::file_as("png"))]
     output: Output,
     #[command(flatten)]
     camera: camera::Options,
-    /// Samples of each pixel; 1 if it is not given, or 16 for figure 8.
+    /// Samples of each pixel. [default: 1, for figure 8 16]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=65_536))]
     spp: Option<u32>,
-    /// How the hierarchy is built.
+    /// Builder of the hierarchy.
     #[arg(long)]
     build: Option<Builder>,
-    /// Seed of what is random.
+    /// Seed of the random numbers.
     #[arg(long, default_value_t = 1)]
     seed: u64,
 }
@@ -40,7 +40,7 @@ enum Figure {
     /// Backtracking steps of three schemes.
     #[value(name = "1")]
     Schemes,
-    /// Postponed nodes that are visited, without and with pruning.
+    /// Visited postponed nodes, without and with pruning.
     #[value(name = "7")]
     Pruning,
     /// Nodes that diffuse rays visit, from the root and from the last hit.

@@ -1,4 +1,4 @@
-//! `lab motion`: a mesh in motion, by refits, optimizing and builds, and what rays then take.
+//! `lab motion`: a moving mesh with refits, optimised refits and builds, and the time of rays.
 
 use std::ops::Range;
 use std::path::PathBuf;
@@ -17,27 +17,27 @@ use crate::record::write_figures;
 use crate::turns::take_turns;
 use crate::{Outcome, camera};
 
-/// Measure what a mesh in motion costs: new boxes for the same tree, these with subtrees moved, and new trees.
+/// Measure the cost of a moving mesh: new boxes for an old tree, new boxes and moved subtrees, and new trees.
 ///
-/// The mesh is twisted about the vertical axis, further from frame to frame. Updates are in processor time of all threads,
-/// the least over the frames; the time of a diffuse ray is relative to that in a tree that was built for the frame
-/// (`standard`). All take turns on the same rays.
+/// The mesh is twisted about the vertical axis, further in each frame. Update times are processor time of all threads,
+/// the least over the frames. The time of a diffuse ray is relative to a tree built for the frame (`standard`). Trees
+/// alternate on the same rays.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  lab motion examples/data/torus.ply --threads 1")]
 pub(crate) struct Args {
-    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the made scenes `strands`, `stadium`, `soup`.
+    /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the generated scenes `strands`, `stadium`, `soup`.
     #[arg(required = true)]
     scenes: Vec<PathBuf>,
-    /// Frames after the first one.
+    /// Number of frames after the first.
     #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=1000))]
     frames: u32,
-    /// By how much the upper end is turned in the last frame, relative to the lower one: in degrees.
+    /// Twist of the upper end in the last frame, relative to the lower end, in degrees.
     #[arg(long, default_value_t = 90.0)]
     turn: f32,
-    /// Rays of the camera; from each of their hits there is a diffuse one.
+    /// Number of camera rays. There is a diffuse ray for each of their hits.
     #[arg(long, default_value_t = 16_384, value_parser = clap::value_parser!(u32).range(1..=1 << 28))]
     count: u32,
-    /// How often all rays are timed.
+    /// Number of rounds.
     #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     rounds: u32,
     #[command(flatten)]
@@ -50,14 +50,14 @@ pub(crate) struct Args {
     json: Option<Output>,
 }
 
-/// Figures of one follower.
+/// Figures of one tree.
 #[derive(Serialize)]
 struct Row {
     scene: String,
     method: &'static str,
-    /// Nanoseconds a triangle for one frame.
+    /// Nanoseconds per triangle and frame.
     update: f64,
-    /// Time of rays relative to that in a new tree, by frame.
+    /// Time of rays, relative to a new tree, by frame.
     rays: Vec<f64>,
 }
 
@@ -84,17 +84,17 @@ pub(crate) fn run(args: &Args) -> Outcome {
 trait Follower {
     fn name(&self) -> &'static str;
 
-    /// Takes on the mesh of a frame.
+    /// Adapts the tree to the mesh of a frame.
     fn follow(&mut self, mesh: &Mesh) -> Result<(), Box<dyn std::error::Error>>;
 
     /// Prepares these rays, untimed.
     fn take(&mut self, _rays: &[Ray]) {}
 
-    /// Traces some of the prepared rays, and counts those that hit.
+    /// Traces some of the prepared rays, and counts hits.
     fn trace(&self, rays: &[Ray], range: Range<usize>) -> usize;
 }
 
-/// Rays that are timed before it is another one's turn.
+/// Number of rays that a tree traces before the next tree continues.
 const CHUNK: usize = 2048;
 
 fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
@@ -129,18 +129,18 @@ fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::E
             row.rays.push(seconds(i) / seconds(0));
         }
         if hits[1..4].iter().any(|&other| other != hits[0]) {
-            return Err(format!("{}, frame {frame}: {:?} hits, expected as many each", scene.name, &hits[..4]).into());
+            return Err(format!("{}, frame {frame}: {:?} hits, expected equal numbers", scene.name, &hits[..4]).into());
         }
     }
     Ok(rows)
 }
 
-/// With triangles that no ray meets now: they may have an area later.
+/// Keeps degenerate triangles, because they may have an area in a later frame.
 fn options(builder: Builder) -> BuildOptions {
     BuildOptions { builder, degenerate: Degenerate::Kept, ..BuildOptions::default() }
 }
 
-/// The mesh twisted about the vertical axis: `turn` radians from its lower end to its upper end.
+/// The mesh, twisted about the vertical axis by `turn` radians from its lower end to its upper end.
 fn twisted(mesh: &Mesh, turn: f32) -> Result<Mesh, Box<dyn std::error::Error>> {
     let bounds = Aabb::of(mesh.vertices());
     let (middle, height) = (bounds.centroid(), bounds.extent().y.max(f32::MIN_POSITIVE));
@@ -154,7 +154,7 @@ struct Own {
     tree: WideBvh,
 }
 
-/// How it is kept.
+/// The kind of update.
 enum How {
     Built(Builder),
     Optimized,
@@ -196,7 +196,7 @@ mod peers {
     use super::{Follower, Mesh, Range, Ray};
     use crate::bench::{plain, vertices};
 
-    /// Embree, by refits and by builds; nobody where it is not installed.
+    /// Embree, with refits and with builds; empty if Embree is not installed.
     pub(super) fn followers(mesh: &Mesh) -> Result<Vec<Box<dyn Follower>>, PeerError> {
         let vertices = vertices(mesh);
         let moving = match Moving::new(&vertices, mesh.triangles()) {

@@ -1,4 +1,4 @@
-//! `lab parts`: what the parts of a ray's time cost, and what is saved where a part is left out.
+//! `lab parts`: the cost of the parts of a ray's time, and the savings of omitting a part.
 
 mod plan;
 mod state;
@@ -18,17 +18,17 @@ use crate::places::{self, Output};
 use crate::record::write_figures;
 use crate::{Outcome, camera};
 
-/// Measure the parts of a ray's time, what queries can do without, and what a small state is good for.
+/// Measure the parts of a ray's time, the savings of a query plan, and the benefits of a small state.
 ///
-/// Three tables: the time of finding the next node, of boxes and of triangles alone; the decisions of the plan, with the
-/// time and the bytes that each saves; and the nodes that are visited where a traversal prunes, goes on after a hit, or
-/// begins at the last hit.
+/// The first table has the times of finding the next node, of box tests and of triangle tests alone. The second has the
+/// decisions of the plan, with the time and the bytes that each decision saves. The third has the nodes that a
+/// traversal visits with pruning, continuing after a hit, or starting at the last hit.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  lab parts examples/data/room.obj")]
 pub(crate) struct Args {
-    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a made scene: `strands`, `stadium`, `soup`.
+    /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: `strands`, `stadium`, `soup`.
     scene: PathBuf,
-    /// How the hierarchy is built.
+    /// Builder of the hierarchy.
     #[arg(long, default_value_t, value_parser = build::builder())]
     build: Builder,
     /// Number of camera rays.

@@ -1,4 +1,4 @@
-//! `lab price`: what the dearest query of each hard family costs, in ordinary queries of its kind.
+//! `lab price`: the cost of the most expensive query of each hard family, relative to an ordinary query.
 
 mod climb;
 mod instances;
@@ -28,11 +28,11 @@ use scenes::{
     at_edge, at_vertices, coincident, from_afar, in_plane, inside, lattice, short_from_afar, small_sphere, sphere, turn,
 };
 
-/// Time the dearest query of each hard family beside an ordinary one in the same scene: three minutes.
+/// Time the most expensive query of each hard family, relative to an ordinary query in its scene. Takes three minutes.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  lab price --json prices.json")]
 pub(crate) struct Args {
-    /// Seconds of each family in which dearer queries are looked for, by small changes of those that are known.
+    /// Seconds of searching for more expensive queries in each family, by small changes of known queries.
     #[arg(long, value_name = "SECONDS", default_value_t = 2, value_parser = clap::value_parser!(u16).range(..=3600))]
     climb: u16,
     /// Write the figures to this file.
@@ -49,28 +49,29 @@ pub(crate) fn run(args: &Args) -> Outcome {
     Ok(true)
 }
 
-/// What costs more ordinary queries than this is named.
+/// Families above this ratio are listed.
 const LIMIT: f64 = 20.0;
 
-/// Times that each query is asked. The least counts.
+/// Runs of each query. The least time counts.
 const ROUNDS: usize = 5;
 
-/// Queries of each kind.
+/// Number of queries of each kind.
 const QUERIES: usize = 50;
 
-/// What a family cost.
+/// The cost of a family.
 #[derive(Serialize)]
 struct Price {
     name: &'static str,
-    /// Nanoseconds of an ordinary query in the same scene, the median.
+    /// Nanoseconds of an ordinary query in the scene, the median.
     ordinary: f64,
-    /// Nanoseconds of the dearest hard one. Of queries with several answers: for each.
+    /// Nanoseconds of the most expensive hard query, per answer.
     dearest: f64,
-    /// The same of the dearest that a climb from the hard ones has found.
+    /// Nanoseconds of the most expensive query after hill climbing, per answer.
     found: f64,
-    /// Nodes and triangles that the ordinary query meets, and that one; if they can be counted, for each answer likewise.
+    /// Nodes and triangles of the ordinary query and of the most expensive query, per answer; `None` if they cannot be
+    /// counted.
     met: Option<[f64; 2]>,
-    /// That query, and what it meets.
+    /// The most expensive query, with its nodes and triangles.
     query: String,
 }
 
@@ -79,15 +80,15 @@ impl Price {
         self.found / self.ordinary
     }
 
-    /// How many times as much as the ordinary query it asks for, and how many times as much it costs for each of that.
+    /// The ratio of nodes and triangles, and the ratio of time per node or triangle.
     fn parts(&self) -> Option<[f64; 2]> {
         let asked = self.met.map(|[ordinary, found]| found / ordinary)?;
         Some([asked, self.ratio() / asked])
     }
 }
 
-/// Queries over one scene, to be asked under the name of their family, with a climb of this time. They have no price if
-/// there are none.
+/// Measures the queries of a scene, given the family's name and the time for hill climbing. Returns `None` without
+/// queries.
 type Queries = Box<dyn FnOnce(&'static str, Duration) -> Option<Price>>;
 
 type Made = Result<Queries, Box<dyn Error>>;
@@ -129,7 +130,7 @@ const FAMILIES: [Family; 23] = [
     },
 ];
 
-/// Asks all families, and climbs for so long from each.
+/// Measures all families, with this time for hill climbing in each.
 fn prices(climbing: Duration) -> Result<Vec<Price>, Box<dyn Error>> {
     prices_of(&FAMILIES, climbing)
 }
@@ -146,12 +147,12 @@ fn prices_of(families: &[Family], climbing: Duration) -> Result<Vec<Price>, Box<
     prices
 }
 
-/// The table of prices, below what is said of it; then the queries that are dear.
+/// A summary, the table of prices, and the expensive queries.
 fn blocks(prices: &[Price]) -> Vec<Block> {
     let dear: Vec<_> = prices.iter().filter(|price| price.ratio() > LIMIT).collect();
     let for_each = dear.iter().filter(|price| price.parts().is_none_or(|[_, each]| each > LIMIT)).count();
     let line = format!(
-        "{} of {} families cost more than {LIMIT} ordinary queries, {for_each} of them for each node and triangle too",
+        "{} of {} families cost more than {LIMIT} ordinary queries, {for_each} of them also per node and triangle",
         dear.len(),
         prices.len()
     );
@@ -162,17 +163,18 @@ fn blocks(prices: &[Price]) -> Vec<Block> {
         let ratio = format!("{:.1}", price.ratio());
         [vec![price.name.to_owned()], times.to_vec(), vec![ratio], parts.to_vec()].concat()
     };
-    let header = ["family", "ordinary, us", "dearest, us", "after a climb", "ratio", "asked", "for each"];
+    let header =
+        ["family", "ordinary, us", "most expensive, us", "after hill climbing", "ratio", "work", "time per work"];
     let table = table(&header, 1, prices.iter().map(row).collect());
     let queries = dear.iter().map(|price| Block::Line(format!("{}: {}", price.name, price.query)));
     [Block::Line(line), Block::Table(table)].into_iter().chain(queries).collect()
 }
 
-/// Nanoseconds of a query that says how many answers it has, for each answer: of the thread's processor time, the least
-/// of some. `None` if they are at most `floor`, which is known as soon as one of the times is.
+/// Nanoseconds of a query per answer: processor time of the thread, the least of several runs. `None` if the least time
+/// is at most `floor`; the first such run decides.
 fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
     let time = || {
-        // What is as short as the clock's own cost is asked some times.
+        // Short queries run repeatedly, because of the cost of the clock.
         let (mut times, start) = (0, ThreadTime::now());
         loop {
             times += ask().max(1);
@@ -183,7 +185,7 @@ fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
         }
     };
     let mut least = time();
-    // What takes long is little disturbed.
+    // Long queries are rarely disturbed.
     let more = if least > 1e7 { 0 } else { ROUNDS - 1 };
     for _ in 0..more {
         if least <= floor {
@@ -194,13 +196,13 @@ fn nanoseconds(ask: impl Fn() -> usize, floor: f64) -> Option<f64> {
     (least > floor).then_some(least)
 }
 
-/// Rays through a mesh, in the default tracer.
+/// Traces rays through a mesh with the default tracer.
 fn traced(mesh: Mesh, hard: Vec<Ray>, ask: fn(&Tracer, &Ray) -> usize, met: fn(&Tracer, &Ray) -> Option<Met>) -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
     Ok(queries(Tracer::of(&mesh)?, hard, ordinary, ask, met))
 }
 
-/// `ask` says how many answers a query has, `met` what it meets.
+/// `ask` returns the number of a query's answers, `met` its nodes and triangles.
 fn queries<S: 'static, Q: Change + 'static>(
     scene: S,
     hard: Vec<Q>,
@@ -243,7 +245,7 @@ fn all(mesh: Mesh, hard: Vec<Ray>) -> Made {
     traced(mesh, hard, |tracer, ray| tracer.all(ray).len(), |tracer, ray| Some(tracer.count_all(&[*ray]).into()))
 }
 
-/// Hit after hit.
+/// Finds hit after hit.
 fn next(mesh: Mesh, hard: Vec<Ray>) -> Made {
     let ask = |tracer: &Tracer, ray: &Ray| {
         let (mut count, mut hit) = (0, tracer.closest(ray));
@@ -271,19 +273,19 @@ fn closest_64(mesh: &Mesh, hard: &[Ray]) -> Made {
     ))
 }
 
-/// The same in tenths.
+/// The plane of a lattice in tenths.
 fn off_grid() -> Made {
     let tenth = |v: Vec3| Vec3::new(v.x * 0.1, v.y * 0.1, v.z);
     mapped_lattice(tenth, |v| tenth(v) + Vec3::new(0.0, 0.01, 0.0))
 }
 
-/// The same in a plane that no axis is across or along.
+/// The plane of a lattice, skewed so that no axis is parallel or perpendicular to it.
 fn in_skew_plane() -> Made {
     let skew = |v: Vec3| Vec3::new(v.x, v.y, v.x * 2.0 - v.y * 3.0);
     mapped_lattice(skew, skew)
 }
 
-/// Rays from the image of one point to that of another.
+/// Maps the lattice and the rays. A ray connects the images of its end points.
 fn mapped_lattice(map: impl Fn(Vec3) -> Vec3, of_ray: impl Fn(Vec3) -> Vec3) -> Made {
     let mesh = lattice(64, 1)?;
     let mesh = Mesh::new(mesh.vertices().iter().map(|&v| map(v)).collect(), mesh.triangles().to_vec())?;
@@ -295,7 +297,7 @@ fn mapped_lattice(map: impl Fn(Vec3) -> Vec3, of_ray: impl Fn(Vec3) -> Vec3) -> 
 }
 
 fn crossings_of_split() -> Made {
-    // Large triangles among small ones are cut often.
+    // Large triangles among small ones are split often.
     let sphere = stress::icosphere(4, 1.0, Vec3::ZERO)?;
     let (mut vertices, mut triangles) = (sphere.vertices().to_vec(), sphere.triangles().to_vec());
     for i in 0..64u8 {
@@ -310,7 +312,7 @@ fn crossings_of_split() -> Made {
     let ordinary = procedural::rays(&mesh, 1, QUERIES);
     let bvh = BuildOptions { builder: Builder::Spatial, ..BuildOptions::default() }.build(&mesh)?;
     let tracer = Tracer::new(WideBvh::of(&bvh)?);
-    // They look at everything along the ray, as all hits do.
+    // Crossings examine all triangles along the ray, like all-hits queries.
     Ok(queries(
         tracer,
         hard,
@@ -335,12 +337,12 @@ fn nearest_to_coincident() -> Made {
     nearest(coincident(100_000)?, (0..8u8).map(|i| Vec3::new(-0.1 * f32::from(i), 5.0, 0.3)))
 }
 
-/// From up to 2^120 away.
+/// Points up to 2^120 away.
 fn origins_afar() -> impl Iterator<Item = Vec3> {
     from_afar().into_iter().map(|ray| ray.origin())
 }
 
-/// From there, and from up to 2^960 away. Nodes and triangles are not counted.
+/// Points up to 2^120, and up to 2^960, away. Nodes and triangles are not counted.
 fn nearest_from_afar_64() -> Made {
     let mesh = sphere()?;
     let wide = mesh.vertices().iter().map(|v| v.as_dvec3()).collect();
@@ -352,7 +354,7 @@ fn nearest_from_afar_64() -> Made {
     Ok(queries(tracer, hard, ordinary, |tracer, ball| usize::from(tracer.nearest(ball).is_some()), uncounted))
 }
 
-/// Points, and such of a box about the mesh.
+/// Compares the points with points in a box around the mesh.
 fn nearest(mesh: Mesh, points: impl Iterator<Item = Vec3>) -> Made {
     let tracer = Tracer::of(&mesh)?;
     let ordinary =

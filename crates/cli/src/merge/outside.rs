@@ -1,4 +1,4 @@
-//! Records that others write: the mutants of the adapters, the fuzz targets, and the extracted machines.
+//! Records of other programs: the mutants of the adapters, the fuzz targets, and the extracted machines.
 
 use std::collections::BTreeMap;
 
@@ -7,19 +7,19 @@ use serde::{Deserialize, Serialize};
 use crate::output::{count, detail, grouped, say, table};
 use crate::record::{Counts, Run, expect};
 
-/// What `tests/adapters/mutate.py` counts.
+/// The counts of `tests/adapters/mutate.py`.
 #[derive(Serialize, Deserialize)]
 pub(super) struct MutantCounts {
     mutants: u64,
-    /// How many do not compile, and so ask nothing.
+    /// Mutants that do not compile.
     not_compiled: u64,
     caught: u64,
-    /// How many of those that are caught did not end.
+    /// Caught mutants that did not terminate.
     timed_out: u64,
-    /// How many behave as the original, as a list says.
+    /// Mutants that behave like the original, according to a list.
     equivalent: u64,
     survivors: Vec<String>,
-    /// Listed as equivalent, and caught.
+    /// Caught mutants that the list calls equivalent.
     stale: Vec<String>,
 }
 
@@ -65,7 +65,7 @@ impl Counts for MutantCounts {
             say!("survived: {survivor}");
         }
         for stale in &self.stale {
-            say!("listed as equivalent, and caught: {stale}");
+            say!("listed as equivalent, but caught: {stale}");
         }
     }
 
@@ -77,27 +77,30 @@ impl Counts for MutantCounts {
         self.mutants == self.not_compiled
     }
 
-    /// They are all that there are and no sample, so there is nothing to bound.
+    /// The mutants are a complete set and not a sample, so there is no bound.
     fn claim(&self, _: &Run) -> String {
         match self.cases_and_errors() {
             [_, 0] => "claim: every mutant that compiles is caught or listed as equivalent".to_owned(),
             [mutants, wrong] => {
-                format!("claim: none, {wrong} of {} mutants are not as they should be", grouped(mutants))
+                format!(
+                    "claim: none, {wrong} of {} mutants survived or are wrongly listed as equivalent",
+                    grouped(mutants)
+                )
             }
         }
     }
 }
 
-/// What the machines extracted from the proofs compare (spec/rocq/extract).
+/// The counts of the machines extracted from the proofs (spec/rocq/extract).
 #[derive(Serialize, Deserialize)]
 pub(super) struct MachineCounts {
     cases: u64,
     visits: u64,
-    /// Of the highest tree, in edges.
+    /// Height of the highest tree, in edges.
     height: u64,
     /// Searches in which a traversal and its machine differ.
     errors: u64,
-    /// How many, by traversal, in all words.
+    /// Number of searches by traversal, over all words.
     searches: BTreeMap<String, u64>,
 }
 
@@ -145,7 +148,7 @@ impl Counts for MachineCounts {
     }
 }
 
-/// What `fuzz/run.sh` counts: all runs, by target and time.
+/// The counts of `fuzz/run.sh`: all runs, by target and time.
 #[derive(Serialize, Deserialize)]
 pub(super) struct FuzzCounts {
     runs: Vec<FuzzRun>,
@@ -156,24 +159,24 @@ pub(super) struct FuzzCounts {
 #[serde(deny_unknown_fields)]
 struct FuzzRun {
     target: String,
-    /// When it ended, in seconds since 1970.
+    /// End time, in seconds since 1970.
     finished: u64,
     sanitizer: String,
     executions: u64,
-    /// Of the clock.
+    /// Wall-clock time.
     seconds: u64,
-    /// Number of inputs in the corpus at its end.
+    /// Size of the corpus at the end of the run.
     corpus: u64,
     findings: u64,
 }
 
-/// The runs of one target, added up.
+/// The sum of the runs of one target.
 #[derive(Default)]
 struct TargetSum {
     runs: u64,
     executions: u64,
     seconds: u64,
-    /// That of the last run.
+    /// The corpus of the last run.
     corpus: u64,
     findings: u64,
 }
@@ -198,7 +201,7 @@ impl FuzzCounts {
 impl Counts for FuzzCounts {
     const COMMAND: &str = "fuzz";
 
-    /// Accepts all counts: a run has no parts, and its counts have no sum.
+    /// Accepts all counts: a run has no parts, and its counts have no total.
     fn check(&self, _: &Run) -> Result<(), String> {
         Ok(())
     }
@@ -235,7 +238,7 @@ impl Counts for FuzzCounts {
         self.runs.iter().all(|run| run.executions == 0)
     }
 
-    /// Inputs are changes of one another.
+    /// Inputs of a fuzzer are mutations of each other.
     fn claim(&self, _: &Run) -> String {
         let [executions, findings] = self.cases_and_errors();
         format!(

@@ -1,4 +1,4 @@
-//! What a campaign has seen, over the time that it took.
+//! Cases and errors of a campaign, over processor time.
 
 use super::canvas::{Canvas, Sample, legend, path};
 use super::labels::Rect;
@@ -9,17 +9,17 @@ use super::ticks::Scale;
 /// A part of a campaign.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Stretch {
-    /// Seconds of processor time.
+    /// Processor time in seconds.
     pub(crate) seconds: f64,
     /// Number of cases.
     pub(crate) cases: u64,
-    /// How many of them went wrong.
+    /// Number of cases with an error.
     pub(crate) errors: u64,
 }
 
-/// Two charts, as SVG: the cases of all parts so far, and what bounds the rate of errors after them, on a logarithmic axis.
-/// With no error in n cases that is 3/n (95 %). A part with an error is a red line, and from there on no bound is drawn.
-/// Parts stand one after the other, over the sum of their processor time.
+/// Draws two charts, as SVG: the number of cases so far, and the bound on the error rate, on a logarithmic axis. With
+/// no error in n cases the bound is 3/n (95 %). A red line marks a part with an error, and the bound ends there. Parts
+/// follow each other, over the sum of their processor time.
 ///
 /// ```
 /// use crate::plots::{Stretch, plot_campaign};
@@ -65,7 +65,7 @@ pub(super) fn draw(size: (f64, f64), title: &str, parts: &[Stretch]) -> Canvas {
     }
     let room = canvas.room(top + 4.0);
     let half = (room.height - 14.0) / 2.0;
-    let rate = "rate of errors, below this (95 %)";
+    let rate = "bound on the error rate (95 %)";
     let cases = Axis { scale: &|most| Scale::linear([0.0, cases], most), title: "cases" };
     let rate = Axis { scale: &|most| Scale::log(ends, most), title: rate };
     for (i, (y, points)) in [(cases, counts), (rate, rates)].into_iter().enumerate() {
@@ -90,7 +90,7 @@ mod tests {
         let part = |errors| Stretch { seconds: 30.0, cases: 500, errors };
         let red = "class=\"wrong\"";
         let [clean, wrong] = [0, 2].map(|errors| plot_campaign("t", &[part(0), part(errors), part(0)]));
-        // One in each chart, and one in the legend.
+        // One line in each chart, and one in the legend.
         assert!(!clean.contains(red) && wrong.matches(red).count() == 3, "{wrong}");
         let most = Stretch { seconds: 9e15, cases: u64::MAX, errors: u64::MAX };
         for parts in [&[][..], &[most, most]] {

@@ -1,4 +1,4 @@
-//! An SVG that knows where its texts are.
+//! An SVG drawing that records the boxes of its texts.
 
 use std::fmt::Write;
 
@@ -6,7 +6,7 @@ use super::labels::Rect;
 use super::style::{Series, style};
 use super::text::{LINE, SMALL, TITLE, escaped, markup, width, wrap};
 
-/// Where a text's place is: at its left, in its middle, or at its right.
+/// The anchor of a text: left, middle or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -14,7 +14,7 @@ pub(super) enum Anchor {
     End,
 }
 
-/// What is drawn, in order.
+/// A drawing.
 pub(super) struct Canvas {
     size: (f64, f64),
     title: String,
@@ -23,28 +23,28 @@ pub(super) struct Canvas {
     pub(super) texts: Vec<Rect>,
 }
 
-/// Space at the border.
+/// The width of the margins.
 pub(super) const MARGIN: f64 = 14.0;
 
 impl Canvas {
-    /// Empty, with what a reader hears as its title.
+    /// An empty drawing; `title` is its accessible name.
     pub(super) fn new(size: (f64, f64), title: &str) -> Self {
         Self { size, title: title.to_owned(), body: String::new(), texts: Vec::new() }
     }
 
-    /// What is within the margins, below `top`.
+    /// The area within the margins, below `top`.
     pub(super) fn room(&self, top: f64) -> Rect {
         let (width, height) = self.size;
         Rect { x: MARGIN, y: top, width: width - 2.0 * MARGIN, height: height - MARGIN - top }
     }
 
-    /// The title at the top, and where it ends.
+    /// Draws the title at the top, and returns its lower end.
     pub(super) fn heading(&mut self) -> f64 {
         let (room, title) = (self.room(12.0), self.title.clone());
         self.paragraph(&title, TITLE, "ink", (room.x, room.y), room.width) + 4.0
     }
 
-    /// Lines of text from a place at the top on, and where they end.
+    /// Draws lines of text from the top downwards, and returns their lower end.
     pub(super) fn paragraph(&mut self, text: &str, size: f64, class: &str, (x, top): (f64, f64), room: f64) -> f64 {
         let mut y = top;
         for line in wrap(text, room, |part| width(part, size)) {
@@ -54,7 +54,7 @@ impl Canvas {
         y
     }
 
-    /// A line of text, by the middle of its height. Returns its box.
+    /// Draws a line of text, vertically centred at `y`, and returns its box.
     pub(super) fn text(&mut self, text: &str, size: f64, class: &str, (x, y): (f64, f64), anchor: Anchor) -> Rect {
         let taken = width(text, size);
         let (left, anchor) = match anchor {
@@ -79,7 +79,7 @@ impl Canvas {
         let _ = writeln!(self.body, "<path class=\"{class}\" d=\"{path}\" fill=\"currentColor\"/>");
     }
 
-    /// A line, by path data; its dash is `none` or lengths.
+    /// Draws a line, from path data. `dash` is `none` or a list of lengths.
     pub(super) fn stroke(&mut self, class: &str, path: &str, width: f64, dash: &str) {
         let dash = if dash == "none" { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
         let _ = writeln!(
@@ -88,12 +88,12 @@ impl Canvas {
         );
     }
 
-    /// A line of a series through points.
+    /// Draws the line of a series through points.
     pub(super) fn line(&mut self, series: Series, points: &[(f64, f64)]) {
         self.stroke(series.class(), &path(points), 2.0, series.dash());
     }
 
-    /// A marker of a series; a hollow one shows the paper. What it means is shown by browsers when it is pointed at.
+    /// Draws a marker of a series; a hollow marker shows the paper. Browsers show `meaning` as a tooltip.
     pub(super) fn marker(&mut self, series: Series, at: (f64, f64), is_hollow: bool, meaning: &str) {
         let shape = series.marker(at, 4.5);
         let _ = writeln!(self.body, "<g><title>{}</title>", escaped(meaning));
@@ -102,7 +102,7 @@ impl Canvas {
         self.body += "</g>\n";
     }
 
-    /// The file.
+    /// Returns the file.
     pub(super) fn finish(self) -> String {
         let (width, height) = self.size;
         format!(
@@ -130,7 +130,7 @@ pub(super) fn rectangle(Rect { x, y, width, height }: Rect) -> String {
     format!("M{x:.1} {y:.1}h{width:.1}v{height:.1}h-{width:.1}z")
 }
 
-/// What a legend explains.
+/// An entry of a legend.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Sample {
     /// A line of a series, with its markers.
@@ -141,13 +141,13 @@ pub(super) enum Sample {
     Hollow,
     /// Columns in a series' colour.
     Column(Series),
-    /// The rings and the line of a front.
+    /// The rings and the line of a Pareto front.
     Front,
-    /// Where something went wrong.
+    /// The mark of an error.
     Wrong,
 }
 
-/// One row for as many entries as fit, and further rows. Returns where it ends.
+/// Draws the legend, in several rows if necessary, and returns its lower end.
 pub(super) fn legend(canvas: &mut Canvas, top: f64, entries: &[(Sample, String)]) -> f64 {
     const SAMPLE: f64 = 30.0;
     const ROW: f64 = 20.0;
@@ -183,12 +183,12 @@ pub(super) fn legend(canvas: &mut Canvas, top: f64, entries: &[(Sample, String)]
     if entries.is_empty() { top } else { y + ROW / 2.0 }
 }
 
-/// Below a hollow marker: it is less than this.
+/// Draws an arrow below a hollow marker: the value is less.
 pub(super) fn arrow(canvas: &mut Canvas, class: &str, (x, y): (f64, f64)) {
     canvas.fill(class, &(path(&[(x - 3.0, y + 7.0), (x + 3.0, y + 7.0), (x, y + 12.0)]) + "z"));
 }
 
-/// The ring around a point of a front.
+/// Draws the ring around a point of a Pareto front.
 pub(super) fn ring(canvas: &mut Canvas, at: (f64, f64)) {
     canvas.stroke("soft", &Series(0).marker(at, 8.0), 1.2, "none");
 }

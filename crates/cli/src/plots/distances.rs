@@ -1,4 +1,4 @@
-//! How far backtracking goes.
+//! The chart of backtracking distances.
 
 use stackless_bvh::event::Backtracks;
 
@@ -10,7 +10,8 @@ use super::ticks::Scale;
 
 /// A histogram of backtracking distances with the cumulative share, as SVG (Binder & Keller 2016, Fig. 3).
 ///
-/// Bars are shares of all backtracks, by the level of the ancestor whose sibling comes next; the line is their sum.
+/// Bars are shares of all backtracks, by the level of the ancestor whose sibling comes next. The line is the cumulative
+/// share.
 pub(crate) fn plot_distances(title: &str, backtracks: &Backtracks) -> String {
     let total = backtracks.total().max(1) as f64;
     let shares: Vec<f64> = backtracks.distances().iter().map(|&count| count as f64 / total).collect();
@@ -22,8 +23,8 @@ pub(super) fn draw(size: (f64, f64), title: &str, shares: &[f64]) -> Canvas {
     let top = canvas.heading();
     let (bars, sum) = (Series(0), Series(1));
     let entries = [
-        (Sample::Column(bars), "share of backtracks that go so far".to_owned()),
-        (Sample::Both(sum), "share that goes so far or less".to_owned()),
+        (Sample::Column(bars), "share of backtracks at this distance".to_owned()),
+        (Sample::Both(sum), "share at this distance or less".to_owned()),
     ];
     let top = legend(&mut canvas, top, &entries) + 10.0;
     let x = Axis {

@@ -1,4 +1,4 @@
-//! Places for the labels of points: none overlaps another or a point, and none leaves the frame.
+//! Positions for the labels of points: labels overlap neither each other nor a point, and stay in the frame.
 
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,12 +30,12 @@ impl Rect {
         self.x <= other.x && self.y <= other.y && other.right() <= self.right() && other.bottom() <= self.bottom()
     }
 
-    /// The point of it that is nearest.
+    /// The nearest point of the rectangle.
     pub(super) fn nearest(&self, (x, y): Point) -> Point {
         (x.clamp(self.x, self.right()), y.clamp(self.y, self.bottom()))
     }
 
-    /// Whether a line between two points meets it: the slab test.
+    /// Whether a line between two points meets the rectangle (slab test).
     fn meets(&self, (a, b): (Point, Point)) -> bool {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for (a, b, low, high) in [(a.0, b.0, self.x, self.right()), (a.1, b.1, self.y, self.bottom())] {
@@ -55,23 +55,23 @@ impl Rect {
 
 type Point = (f64, f64);
 
-/// A label that has a place, and the line to its point where that is not beside it.
+/// A placed label, and the line to its point if the point is not adjacent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     pub(super) label: Rect,
     pub(super) leader: Option<(Point, Point)>,
 }
 
-/// Radius of what is drawn at a point.
+/// Radius of markers.
 pub(super) const MARK: f64 = 8.0;
-/// A label further from its point has a leader.
+/// Labels further from their point have a leader.
 const NEAR: f64 = 7.0;
 
-/// The free place nearest to its point, for each label of a size; off these lines where that is possible, and `None`
-/// where there is no room at all. Labels have points in the same order.
+/// Returns the free position nearest to its point for each label, avoiding `lines` if possible; `None` if there is no
+/// free position. Labels and points correspond by index.
 ///
-/// Labels that are close to a heap of points fence in the others. So those of heaps are moved away from it until all
-/// have a place.
+/// Labels close to a cluster of points block other labels. So labels of clusters are moved away until all labels have a
+/// position.
 pub(super) fn place(frame: &Rect, points: &[Point], sizes: &[Point], lines: &[(Point, Point)]) -> Vec<Option<Placed>> {
     let count = |placed: &Vec<Option<Placed>>| placed.iter().flatten().count();
     let mut best = Vec::new();
@@ -87,7 +87,7 @@ pub(super) fn place(frame: &Rect, points: &[Point], sizes: &[Point], lines: &[(P
     best
 }
 
-/// As [`place`], with labels of points in heaps so far away.
+/// Like [`place`], with labels of clusters at this distance.
 fn place_away(
     frame: &Rect,
     points: &[Point],
@@ -100,7 +100,7 @@ fn place_away(
     let mut placed = vec![None; points.len()];
     let crowd =
         |i: usize| points.iter().filter(|other| (other.0 - points[i].0).hypot(other.1 - points[i].1) < 50.0).count();
-    // Those that have most room first: the others have leaders, which go around them.
+    // Labels with most free space come first. Later labels have leaders around them.
     let mut order: Vec<usize> = (0..points.len().min(sizes.len())).collect();
     order.sort_by_key(|&i| (crowd(i), i));
     for i in order {
@@ -114,14 +114,14 @@ fn place_away(
                 && (marks_crossed || !marks.iter().enumerate().any(|(j, mark)| j != i && crosses(mark)))
         };
         let from = if crowd(i) > 3 { away } else { 0.0 };
-        // What is least bad to give up comes first: lines of the chart, then the marks of other points.
+        // Tolerate crossings with lines of the chart first, then with markers of other points.
         let tries = [(lines, false), (&[], false), (&[], true)];
         let find = |&(lines, crossed): &(&[_], bool)| {
             candidates(frame, points[i], sizes[i], from).find(|candidate| is_free(candidate, lines, crossed))
         };
         placed[i] = tries.iter().find_map(find);
         if let Some(Placed { label, leader }) = placed[i] {
-            // A little air around it.
+            // Leave space around the label.
             labels.push(Rect { x: label.x - 2.0, width: label.width + 4.0, ..label });
             leaders.extend(leader);
         }
@@ -129,7 +129,7 @@ fn place_away(
     placed
 }
 
-/// Places in rings around a point, the nearest first.
+/// Positions in rings around a point, the nearest first.
 fn candidates(frame: &Rect, point: Point, (width, height): Point, from: f64) -> impl Iterator<Item = Placed> {
     const TURNS: u32 = 48;
     let rings = ((frame.width.hypot(frame.height)) / 6.0) as u32;
@@ -137,7 +137,7 @@ fn candidates(frame: &Rect, point: Point, (width, height): Point, from: f64) -> 
         let away = MARK + 2.0 + from + 6.0 * f64::from(ring);
         (0..TURNS).map(move |turn| {
             let (sin, cos) = (f64::from(turn) * std::f64::consts::TAU / f64::from(TURNS)).sin_cos();
-            // The box's side towards the point is so far away.
+            // The distance of the box's nearer side.
             let centre = (point.0 + cos * (away + width / 2.0), point.1 + sin * (away + height / 2.0));
             let label = Rect::around(centre, width, height);
             let end = label.nearest(point);
@@ -163,7 +163,7 @@ mod tests {
             let (width, height) = [(220.0, 160.0), (400.0, 300.0), (800.0, 480.0), (1600.0, 900.0)][round % 4];
             let frame = Rect { x: 40.0, y: 30.0, width, height };
             let count = 1 + (unit() * 24.0) as usize;
-            // Every second time in a heap.
+            // Half of the charts have a cluster.
             let spread = if round % 8 < 4 { 1.0 } else { 0.06 };
             let points: Vec<Point> = (0..count)
                 .map(|_| {

@@ -1,7 +1,7 @@
-//! Charts, as SVG: for papers, and for light and dark screens.
+//! Charts as SVG, for papers and for light and dark screens.
 //!
-//! What they share is here: fonts and what text takes (`text`), colours, markers and dashes (`style`), round ticks
-//! (`ticks`), axes (`panel`), legends (`canvas`) and places for labels (`labels`).
+//! Shared modules: fonts and text widths (`text`), colours, markers and dashes (`style`), round ticks (`ticks`), axes
+//! (`panel`), legends (`canvas`) and positions of labels (`labels`).
 
 mod campaign;
 mod canvas;

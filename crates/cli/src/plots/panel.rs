@@ -1,34 +1,34 @@
-//! Two axes with a frame, and the way from numbers to pixels.
+//! Two axes with a frame, and the mapping of numbers to pixels.
 
 use super::canvas::{Anchor, Canvas, path};
 use super::labels::Rect;
 use super::text::{LINE, SMALL, width, wrap};
 use super::ticks::Scale;
 
-/// What an axis shows: how it is divided, for at most so many steps, and what is written beside it.
+/// An axis: its scale, for a maximum number of steps, and its title.
 pub(super) struct Axis<'a> {
     pub(super) scale: &'a dyn Fn(usize) -> Scale,
     pub(super) title: &'a str,
 }
 
-/// Where data is drawn.
+/// The area of the data.
 pub(super) struct Panel {
     pub(super) frame: Rect,
     x: Scale,
     y: Scale,
 }
 
-/// Pixels between axis and numbers.
+/// Pixels between an axis and its numbers.
 const GAP: f64 = 6.0;
-/// Pixels between the horizontal axis and its numbers: the lowest number at the other axis ends above them.
+/// Pixels between the horizontal axis and its numbers. The lowest number of the other axis ends above them.
 const BELOW: f64 = 9.0;
-/// Least between two numbers.
+/// Minimum space between two numbers.
 const APART: f64 = 14.0;
-/// Least width of the numbers of a vertical axis, so that those of most charts stand at the same place.
+/// Minimum width of the numbers of a vertical axis, so that axes of most charts align.
 const NUMBERS: f64 = 52.0;
 
 impl Panel {
-    /// Draws the axes. The title of the vertical one stands above it.
+    /// Draws the axes. The title of the vertical axis is above it.
     pub(super) fn draw(canvas: &mut Canvas, room: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Self {
         let line = SMALL * LINE;
         let top = canvas.paragraph(y.title, SMALL, "soft", (room.x, room.y), room.width) + 11.0;
@@ -38,7 +38,7 @@ impl Panel {
         let y_scale = (y.scale)(((height / 34.0) as usize).clamp(1, 10));
         let texts: Vec<String> = y_scale.ticks.iter().map(|&tick| (y_scale.format)(tick)).collect();
         let left = room.x + texts.iter().map(|text| width(text, SMALL)).fold(NUMBERS, f64::max) + GAP;
-        // The number at the right end stands half outside of the frame.
+        // Half of the rightmost number is outside the frame.
         let fits = |scale: &Scale| {
             let widths: Vec<f64> = scale.ticks.iter().map(|&tick| width(&(scale.format)(tick), SMALL)).collect();
             let right = room.right() - widths.last().map_or(0.0, |width| width / 2.0);
@@ -53,7 +53,7 @@ impl Panel {
                 fits(&scale).map(|right| (scale, right))
             })
             .unwrap_or_else(|| {
-                // Even two numbers are too wide: the first one stays.
+                // Two numbers do not fit: keep the first.
                 let mut scale = (x.scale)(1);
                 scale.ticks.truncate(1);
                 (scale, room.right())
@@ -88,14 +88,14 @@ impl Panel {
         canvas.stroke("soft", &path(&[(left, top), (left, bottom), (right, bottom)]), 1.0, "none");
     }
 
-    /// The pixel of a pair of numbers.
+    /// The pixel position of a pair of numbers.
     pub(super) fn at(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let Rect { x: left, width, height, .. } = self.frame;
         (left + self.x.share(x) * width, self.frame.bottom() - self.y.share(y) * height)
     }
 }
 
-/// Least and greatest of some numbers; these where there are none.
+/// Minimum and maximum of some numbers; `without` if there are none.
 pub(super) fn range(numbers: impl Iterator<Item = f64>, without: [f64; 2]) -> [f64; 2] {
     let ends = numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
     if ends[0] <= ends[1] { ends } else { without }

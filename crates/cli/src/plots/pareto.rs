@@ -1,4 +1,4 @@
-//! Cost against error: which choices nobody beats in both, and a picture of it.
+//! The Pareto front of cost and error, and its chart.
 
 use super::canvas::{Anchor, Canvas, Sample, arrow, legend, path, ring};
 use super::labels::{Placed, Rect, place};
@@ -7,31 +7,31 @@ use super::style::Series;
 use super::text::{LINE, SMALL, TITLE, width};
 use super::ticks::Scale;
 
-/// A choice with what it costs and how often it errs.
+/// A choice with its cost and its error rate.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Choice {
-    /// What is written beside its point.
+    /// The label of its point.
     pub(crate) label: String,
-    /// Choices of the same family have the same colour and marker, which the legend explains.
+    /// Choices of a family share a colour and a marker. The legend explains them.
     pub(crate) family: String,
-    /// Time, in units of a baseline's.
+    /// Time, relative to a baseline.
     pub(crate) cost: f64,
-    /// Errors in 10^9 rays.
+    /// Errors per 10^9 rays.
     pub(crate) errors: Errors,
 }
 
-/// How often something errs, in 10^9 rays.
+/// An error rate, per 10^9 rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Errors {
-    /// This often.
+    /// The observed rate.
     Observed(f64),
-    /// Never in the rays that were traced: with a probability of 95 %, not more often than this.
+    /// No error was observed; upper bound of the rate, with a probability of 95 %.
     Below(f64),
 }
 
 impl Errors {
-    /// From the number of errors in so many rays. None in N is less than 3 in N with a probability of 95 %, as
-    /// (1 - 3/N)^N is about e^-3.
+    /// The rate from the number of errors in `rays` rays. If N rays have no error, the rate is below 3/N with a
+    /// probability of 95 %, because (1 - 3/N)^N is about e^-3.
     pub(crate) fn of(events: u64, rays: u64) -> Self {
         match events {
             0 => Self::Below(3e9 / rays as f64),
@@ -39,7 +39,7 @@ impl Errors {
         }
     }
 
-    /// The rate that was seen: 0 where there was no error.
+    /// The observed rate.
     pub(crate) fn observed(self) -> f64 {
         match self {
             Self::Observed(rate) => rate,
@@ -47,7 +47,7 @@ impl Errors {
         }
     }
 
-    /// Where the point is drawn.
+    /// The vertical position of the point.
     fn height(self) -> f64 {
         match self {
             Self::Observed(rate) | Self::Below(rate) => rate,
@@ -55,9 +55,8 @@ impl Errors {
     }
 }
 
-/// For each choice, whether it is on the Pareto front: no other costs no more and errs no more often, and is better in
-/// one of these. Of choices that are equal in both, all are on it or none. Not being known (NaN), a cost is never on
-/// it.
+/// For each choice, whether it is on the Pareto front: no choice is better in cost or errors without being worse in the
+/// other. Equal choices are all on the front, or none of them. An unknown cost (NaN) is never on the front.
 pub(crate) fn front(choices: &[Choice]) -> Vec<bool> {
     let beats = |a: &Choice, b: &Choice| {
         let (a_errors, b_errors) = (a.errors.observed(), b.errors.observed());
@@ -66,8 +65,9 @@ pub(crate) fn front(choices: &[Choice]) -> Vec<bool> {
     choices.iter().map(|b| !b.cost.is_nan() && !choices.iter().any(|a| beats(a, b))).collect()
 }
 
-/// Cost against errors, one chart below the other, each with its title, as SVG: the vertical axis is logarithmic, the
-/// front a line through rings. Where no error was seen, a hollow point with an arrow stands at what bounds the rate.
+/// Draws cost against errors, as SVG: one chart below the other, each with its title. The vertical axis is logarithmic,
+/// and the front is a line through rings. Without observed errors, a hollow point with an arrow shows the bound of the
+/// rate.
 pub(crate) fn plot_pareto(charts: &[(&str, &[Choice])], cost: &str) -> String {
     draw((960.0, 90.0 + 520.0 * charts.len().max(1) as f64), charts, cost).finish()
 }
@@ -82,8 +82,8 @@ pub(super) fn draw(size: (f64, f64), charts: &[(&str, &[Choice])], cost: &str) -
     let mut canvas = Canvas::new(size, "cost against error");
     let mut entries: Vec<_> =
         (0..).zip(&families).map(|(i, family)| (Sample::Marker(Series(i)), (*family).to_owned())).collect();
-    entries.push((Sample::Hollow, "none seen: rarer than this (95 %)".to_owned()));
-    entries.push((Sample::Front, "nobody is better in both".to_owned()));
+    entries.push((Sample::Hollow, "no error: the rate is lower (95 %)".to_owned()));
+    entries.push((Sample::Front, "Pareto front".to_owned()));
     let top = legend(&mut canvas, 12.0, &entries);
     let room = canvas.room(top + 10.0);
     let height = room.height / charts.len().max(1) as f64;
@@ -100,7 +100,7 @@ fn draw_chart(canvas: &mut Canvas, area: Rect, title: &str, (choices, families):
     let heights = range(known.iter().map(|choice| choice.errors.height()), [1e3, 1e9]);
     let top = canvas.paragraph(title, TITLE, "ink", (area.x, area.y), area.width) + 4.0;
     let area = Rect { y: top, height: area.bottom() - top, ..area };
-    // Labels need room beside the first and the last point, and the lowest points have an arrow below them.
+    // Labels need space left and right of the points, and the lowest points have an arrow below them.
     let margin = 0.05 * (costs[1] - costs[0]).max(0.02);
     let costs = [costs[0] - margin, costs[1] + margin];
     let y = Axis {
@@ -166,7 +166,7 @@ mod tests {
         };
         assert!(front(&[]).is_empty());
         assert_eq!(on_front(&[(1.0, 9), (1.1, 5), (1.2, 5), (1.2, 0), (0.9, 9)]), [false, true, false, true, true]);
-        // Equals do not beat each other, and no error beats one, whatever the bound.
+        // Equal choices do not beat each other. No observed error beats any error, independent of the bound.
         assert_eq!(on_front(&[(1.0, 0), (1.0, 0), (1.0, 1)]), [true, true, false]);
         assert_eq!(on_front(&[(f64::NAN, 0), (2.0, 7)]), [false, true]);
     }

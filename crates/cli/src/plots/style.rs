@@ -1,15 +1,15 @@
-//! Colours, markers and dashes that all charts share.
+//! Colours, markers and dashes of all charts.
 //!
-//! Every colour has a name, which is a class of the style sheet in the SVG, and two values: for a light screen and
-//! paper, and for a dark screen. Programs that do not know the media query show the light ones. The series are darker
-//! or lighter relatives of those of Okabe & Ito, which colour-blind people tell apart; each also has a marker and a
-//! dash of its own, for grey prints.
+//! Every colour is a class of the style sheet in the SVG, with a value for light screens and paper, and one for dark
+//! screens. Programs without support for the media query show the light values. The series are darker or lighter
+//! variants of the colours of Okabe & Ito, which colour-blind people can distinguish. Each series also has its own
+//! marker and dash, for grey prints.
 
 use std::fmt::Write;
 
 use super::text::FONT;
 
-/// A colour of charts: on light paper and on dark paper.
+/// A colour, on light and on dark paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Ink {
     /// Its class.
@@ -24,7 +24,7 @@ const fn ink(name: &'static str, light: &'static str, dark: &'static str) -> Ink
     Ink { name, light, dark }
 }
 
-/// What charts are drawn on.
+/// The background of charts.
 pub(super) const PAPER: Ink = ink("paper", "#ffffff", "#1c1f24");
 
 /// Data series.
@@ -37,17 +37,17 @@ pub(super) const SERIES: [Ink; 6] = [
     ink("s5", "#4a505a", "#c4cad3"),
 ];
 
-/// Text; text beside it, and axes; errors.
+/// Colours of text; of secondary text and axes; of errors.
 pub(super) const TEXTS: [Ink; 3] =
     [ink("ink", "#23272e", "#e8e6e1"), ink("soft", "#5c6470", "#a0a7b1"), ink("wrong", "#b3152d", "#ff8b95")];
 
-/// Lines that help the eye, and carry nothing.
+/// Grid lines.
 pub(super) const GRID: Ink = ink("grid", "#e2dfd8", "#353a42");
 
 /// Dashes of lines, by series.
 const DASHES: [&str; 6] = ["none", "9 4", "2 3", "9 3 2 3", "14 4", "5 3"];
 
-/// Which series: it chooses colour, marker and dash.
+/// The index of a series, which selects colour, marker and dash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Series(pub(super) usize);
 
@@ -56,7 +56,7 @@ impl Series {
         SERIES[self.0 % SERIES.len()].name
     }
 
-    /// Where colours begin again, markers and dashes do not.
+    /// Markers and dashes repeat later than colours.
     const fn shape(self) -> usize {
         (self.0 + self.0 / SERIES.len()) % DASHES.len()
     }
@@ -65,9 +65,9 @@ impl Series {
         DASHES[self.shape()]
     }
 
-    /// The marker at a place, as path data.
+    /// The marker at a point, as path data.
     pub(super) fn marker(self, (x, y): (f64, f64), radius: f64) -> String {
-        // Unit shapes, of about the same area.
+        // Shapes around the origin, with similar areas.
         let corners: &[(f64, f64)] = match self.shape() {
             0 => {
                 let r = radius;
@@ -101,7 +101,7 @@ impl Series {
     }
 }
 
-/// The style sheet of a chart. Shapes take `currentColor`, so that one rule colours a class.
+/// The style sheet of a chart. Shapes use `currentColor`, so one rule colours a class.
 pub(super) fn style() -> String {
     let all = || [PAPER, GRID].into_iter().chain(TEXTS).chain(SERIES);
     let rules = |value: fn(Ink) -> &'static str| {
@@ -118,8 +118,8 @@ pub(super) fn style() -> String {
     )
 }
 
-/// From dark violet over blue and green to yellow, in few enough steps for a palette: viridis, by van der Walt & Smith.
-/// Its lightness rises evenly, so that it can be read in grey and by those who do not see all colours.
+/// The colour map viridis, by van der Walt & Smith: from dark violet over blue and green to yellow, in few enough steps
+/// for a palette. Its lightness rises evenly, so it is readable in grey and for colour-blind people.
 pub(crate) fn heat(share: f64) -> [u8; 3] {
     const STEPS: f64 = 200.0;
     const STOPS: [[u8; 3]; 9] = [
@@ -145,7 +145,7 @@ pub(crate) fn heat(share: f64) -> [u8; 3] {
 mod tests {
     use super::*;
 
-    /// Of the Web Content Accessibility Guidelines.
+    /// Relative luminance of the Web Content Accessibility Guidelines.
     fn luminance(colour: [u8; 3]) -> f64 {
         let linear = colour.map(|channel| {
             let value = f64::from(channel) / 255.0;
@@ -163,7 +163,7 @@ mod tests {
         (a / b).max(b / a)
     }
 
-    /// Labels have the colours of their series, so all are text.
+    /// Labels have the colours of their series, so every series needs the contrast of text.
     #[test]
     fn every_colour_can_be_read_on_its_paper() {
         for ink in TEXTS.into_iter().chain(SERIES) {
@@ -183,13 +183,13 @@ mod tests {
                 assert!(a.0 != b.0 || (a.1 != b.1 && a.2 != b.2), "{a:?} {b:?}");
             }
         }
-        // In grey: the first six by dash, and by marker.
+        // In grey, the first six series differ by dash and by marker.
         for of in [|i| Series(i).dash().to_owned(), |i| Series(i).marker((0.0, 0.0), 4.0)] {
             assert_eq!((0..6).map(of).collect::<std::collections::BTreeSet<_>>().len(), 6);
         }
     }
 
-    /// CIELAB's L*, from 0 to 100.
+    /// Lightness L* of CIELAB, from 0 to 100.
     fn lightness(colour: [u8; 3]) -> f64 {
         let y = luminance(colour);
         if y <= 0.008_856 { 903.3 * y } else { 116.0 * y.cbrt() - 16.0 }
@@ -203,7 +203,7 @@ mod tests {
         for pair in steps.windows(2) {
             assert!((0.6 * rise..1.5 * rise).contains(&(pair[1] - pair[0])), "{pair:?}, on average {rise}");
         }
-        // What no ray meets is not taken for what costs nothing.
+        // Black pixels (no ray) differ from the colour of cost 0.
         assert!(steps[0] - lightness([0; 3]) > 10.0);
     }
 }

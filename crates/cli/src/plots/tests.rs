@@ -1,4 +1,4 @@
-//! What holds of every chart, whatever is in it: texts neither overlap nor leave it.
+//! Properties of every chart with any data: texts neither overlap nor leave the chart.
 
 use stackless_bvh::generate::Rng;
 
@@ -7,7 +7,7 @@ use super::labels::Rect;
 use super::*;
 use super::{campaign, distances, pareto};
 
-/// From 0 to 1, without 1.
+/// A random number in [0, 1).
 pub(super) fn unit(random: &mut Rng) -> f64 {
     (random.bits() >> 11) as f64 / (1_u64 << 53) as f64
 }
@@ -52,7 +52,7 @@ fn texts_keep_apart_in_every_chart_at_every_size() {
     }
 }
 
-/// Where all labels have room, all are there.
+/// If all labels have room, all labels are placed.
 #[test]
 fn no_label_is_lost_at_the_size_that_is_written() {
     let choices: Vec<_> = (0..18)

@@ -1,19 +1,19 @@
-//! What text takes, without the font at hand.
+//! Upper bounds of text widths, without access to the font.
 
 use std::fmt::Write;
 
-/// Fonts of charts, the first that is installed. None is wider than [`WIDTHS`], where it is the system's usual one.
+/// Fonts of charts, in order of preference. No font is wider than [`WIDTHS`], if it is the system's default font.
 pub(super) const FONT: &str = "Inter,system-ui,'Segoe UI','DejaVu Sans','Liberation Sans',Arial,sans-serif";
 
-/// Heights of letters: titles, and all else.
+/// Font sizes: titles, and other text.
 pub(super) const TITLE: f64 = 17.0;
 pub(super) const SMALL: f64 = 13.0;
 
-/// Height of a line's box, for each unit of the height of letters.
+/// Height of a line, relative to the font size.
 pub(super) const LINE: f64 = 1.17;
 
-/// Widths of the printable ASCII characters in thousandths of the height, from the space on: those of `DejaVu Sans`,
-/// the widest of the fonts, and of Inter where that is wider (the hyphen).
+/// Widths of the printable ASCII characters from the space on, in thousandths of the font size: the widths of `DejaVu
+/// Sans`, the widest of the fonts; for the hyphen the width of Inter.
 const WIDTHS: [u16; 95] = [
     318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 460, 318, 337, 636, 636, 636, 636, 636, 636, 636,
     636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863,
@@ -22,14 +22,14 @@ const WIDTHS: [u16; 95] = [
     337, 636, 838,
 ];
 
-/// Exponents are smaller.
+/// Relative font size of exponents.
 const EXPONENT: f64 = 0.75;
 
 /// An upper bound of the width of a text. Titles are bold.
 pub(super) fn width(text: &str, size: f64) -> f64 {
     let letter = |letter: char| match u32::from(letter) {
         code @ 32..=126 => f64::from(WIDTHS[code as usize - 32]),
-        // Letters with accents, and what may be as wide as it is high.
+        // Letters with accents; then characters that may be as wide as they are high.
         0xC0..=0x24F => 800.0,
         _ => 1000.0,
     };
@@ -40,7 +40,7 @@ pub(super) fn width(text: &str, size: f64) -> f64 {
     runs(text).into_iter().map(run).sum::<f64>() / 1000.0 * size * bold
 }
 
-/// The text as SVG has it, `10^-6` with an exponent.
+/// The text as SVG markup; `10^-6` becomes an exponent.
 pub(super) fn markup(text: &str, size: f64) -> String {
     let mut svg = String::new();
     for (run, is_exponent) in runs(text) {
@@ -59,7 +59,7 @@ pub(super) fn markup(text: &str, size: f64) -> String {
     svg
 }
 
-/// Lines of a text that are no wider than the room, where a word is not; `width` measures parts of a line.
+/// Wraps a text into lines of at most `room`, except for wider words. `width` measures parts of a line.
 ///
 /// ```
 /// let letters = |text: &str| text.len() as f64;
@@ -76,12 +76,12 @@ pub(crate) fn wrap(text: &str, room: f64, width: impl Fn(&str) -> f64) -> Vec<St
     lines
 }
 
-/// As text of an element or an attribute of SVG.
+/// Escapes text for an element or an attribute of SVG.
 pub(super) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Parts of a text, and whether they are exponents: digits behind `^`.
+/// Splits a text into parts, and returns whether each part is an exponent: digits after `^`.
 fn runs(text: &str) -> Vec<(&str, bool)> {
     let mut runs = Vec::new();
     let mut parts = text.split('^');

@@ -1,7 +1,6 @@
-//! Axes that end at round numbers, with round numbers between.
+//! Axes with round numbers at the ends and between them.
 
-/// Round numbers from 0 on that are no greater than `end`, and how they are written: multiples of the least of 1, 2 or
-/// 5 times a power of ten of which no more than `most` are needed.
+/// Round numbers from 0 to at most `end`, with their texts: at most `most` multiples of 1, 2 or 5 times a power of ten.
 ///
 /// ```
 /// let ticks = crate::plots::round_ticks(37.0, 5);
@@ -13,7 +12,7 @@ pub(crate) fn round_ticks(end: f64, most: usize) -> Vec<(f64, String)> {
     scale.ticks.iter().filter(|&&tick| tick <= end).map(|&tick| (tick, plain(tick))).collect()
 }
 
-/// Positions of an axis.
+/// The scale of an axis.
 #[derive(Clone, Debug)]
 pub(super) struct Scale {
     low: f64,
@@ -24,14 +23,14 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// Around these numbers, in steps of 1, 2 or 5 times a power of ten, with no more steps than `most`.
+    /// A scale around these numbers, in at most `most` steps of 1, 2 or 5 times a power of ten.
     pub(super) fn linear([low, high]: [f64; 2], most: usize) -> Self {
         let ticks = steps([low, high], most, f64::MIN_POSITIVE);
         let [low, high] = [ticks[0], ticks[ticks.len() - 1]];
         Self { low, high, is_log: false, format: format(&ticks), ticks }
     }
 
-    /// Counts from 0 on, each with a column of width 1 around it.
+    /// A scale of counts from 0 on, each with a column of width 1.
     pub(super) fn columns(count: usize, most: usize) -> Self {
         let last = count.max(1) as f64 - 1.0;
         let mut ticks = steps([0.0, last], most, 1.0);
@@ -39,8 +38,8 @@ impl Scale {
         Self { low: -0.5, high: last + 0.5, is_log: false, ticks, format: plain }
     }
 
-    /// Around these positive numbers, logarithmic: ticks at 1, 2 and 5 times powers of ten, or at powers of ten, or at
-    /// every second, third, fifth and so on, with no more steps than `most`.
+    /// A logarithmic scale around these positive numbers, in at most `most` steps: 1, 2 and 5 times powers of ten, or
+    /// powers of ten, or every second, third, fifth and so on.
     pub(super) fn log([low, high]: [f64; 2], most: usize) -> Self {
         let [low, high] = [low, high].map(|end| end.clamp(1e-300, 1e300));
         let power = |exponent: i32| times_power(1.0, exponent);
@@ -62,20 +61,20 @@ impl Scale {
         Self { low, high, is_log: true, format: format(&ticks), ticks }
     }
 
-    /// Where a number is on the axis, from 0 to 1.
+    /// The position of a number on the axis, from 0 to 1.
     pub(super) fn share(&self, x: f64) -> f64 {
         let of = |x: f64| if self.is_log { x.max(f64::MIN_POSITIVE).log10() } else { x };
         (of(x) - of(self.low)) / (of(self.high) - of(self.low))
     }
 }
 
-/// The way to write the numbers of an axis: all with exponents where one needs it.
+/// Selects the format of an axis: all numbers have exponents if one number needs an exponent.
 fn format(ticks: &[f64]) -> fn(f64) -> String {
     let is_plain = |tick: &f64| *tick == 0.0 || (0.999e-3..1e6).contains(&tick.abs());
     if ticks.iter().all(is_plain) { plain } else { with_exponent }
 }
 
-/// With commas between thousands.
+/// Formats with commas between thousands.
 fn plain(x: f64) -> String {
     let text = format!("{}", x.abs());
     let (whole, rest) = text.split_at(text.find('.').unwrap_or(text.len()));
@@ -86,7 +85,7 @@ fn plain(x: f64) -> String {
     }
 }
 
-/// With the exponent behind `^`.
+/// Formats with the exponent after `^`.
 fn with_exponent(x: f64) -> String {
     if (1.0..100.0).contains(&x) || x == 0.0 {
         return plain(x);
@@ -96,14 +95,14 @@ fn with_exponent(x: f64) -> String {
     if digits == "1" { format!("10^{exponent}") } else { format!("{digits}×10^{exponent}") }
 }
 
-/// Multiples of the least round step that needs no more steps than `most`; they enclose both numbers.
+/// Multiples of the smallest round step that encloses both numbers in at most `most` steps.
 fn steps([low, high]: [f64; 2], most: usize, least: f64) -> Vec<f64> {
     let span = (high - low).abs().max(low.abs().max(high.abs()) * 1e-9).max(1e-300);
     let first = (span / most.max(1) as f64).log10().floor() as i32;
     let candidates = (first..first + 3).flat_map(|exponent| [1.0, 2.0, 5.0].map(|digit| (digit, exponent)));
     let ends = |(digit, exponent): (f64, i32)| {
         let step = times_power(digit, exponent);
-        // A number that is a multiple but for rounding is one.
+        // The tolerance accepts multiples with rounding errors.
         let low = (low / step + 1e-9).floor();
         (low, (high / step - 1e-9).ceil().max(low + 1.0))
     };
@@ -116,7 +115,7 @@ fn steps([low, high]: [f64; 2], most: usize, least: f64) -> Vec<f64> {
     (low as i64..=high as i64).map(|i| times_power(i as f64 * step.0, step.1)).collect()
 }
 
-/// Rounded once: by a power of ten that is a float.
+/// Rounds once, because the power of ten is a float.
 fn times_power(digits: f64, exponent: i32) -> f64 {
     if (-22..0).contains(&exponent) { digits / 10f64.powi(-exponent) } else { digits * 10f64.powi(exponent) }
 }
@@ -127,7 +126,7 @@ mod tests {
     use crate::plots::tests::unit;
     use stackless_bvh::generate::Rng;
 
-    /// The digits before the zeros, and whether the numbers are as far from each other.
+    /// The leading digits of a number, without trailing zeros.
     fn digits(x: f64) -> String {
         format!("{x:e}").split('e').next().unwrap().to_owned()
     }
@@ -152,7 +151,7 @@ mod tests {
                 if scale.is_log {
                     assert!(ticks.iter().all(|&tick| ["1", "2", "5"].contains(&&*digits(tick))), "{ticks:?}");
                 } else {
-                    // A step is 1, 2 or 5 times a power of ten, but for what the difference is rounded by.
+                    // A step is 1, 2 or 5 times a power of ten, up to the rounding error of the difference.
                     let step = ticks[1] - ticks[0];
                     let mantissa = step / 10f64.powf((step * 1.0001).log10().floor());
                     assert!([1.0, 2.0, 5.0].iter().any(|round| (mantissa - round).abs() < 1e-3), "{ticks:?}");

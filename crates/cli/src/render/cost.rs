@@ -1,4 +1,4 @@
-//! What rays cost, by traversal.
+//! Costs of rays, by traversal.
 
 use stackless_bvh::bvh::{Bvh, BvhTree};
 use stackless_bvh::event::Source;
@@ -10,22 +10,22 @@ use stackless_bvh::traverse::{Method, Need, Tables, Unsupported, WithWord, with_
 use stackless_bvh::tree::Implicit;
 use stackless_check::{Reads, Steps, Watched};
 
-/// What is counted.
+/// The counted operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Heat {
-    /// Nodes that are visited.
+    /// Visited nodes.
     Nodes,
     /// Box tests.
     Boxes,
     /// Triangle tests.
     Triangles,
-    /// Postponed nodes that are visited.
+    /// Visited postponed nodes.
     Postponed,
-    /// Records that are read to find them, at least one for each: what climbing costs.
+    /// Reads of records to find postponed nodes, at least one each: the cost of climbing.
     Backtrack,
-    /// Lookups in a perfect hash.
+    /// Lookups in the perfect hash.
     Hash,
-    /// Triangle tests that error bounds for the whole scene leave open.
+    /// Triangle tests that the error bounds for the whole scene leave undecided.
     Fallback,
 }
 
@@ -48,11 +48,11 @@ pub(super) struct Costs<'a> {
     heat: Heat,
     any: bool,
     tracer: BinaryTracer<&'a Bvh>,
-    /// Where the tracer's own counts do not tell.
+    /// For costs that the tracer's own counters do not include.
     steps: Option<Box<Walks<'a>>>,
 }
 
-/// What traversals read, to be run with all their reads counted.
+/// The data of traversals whose reads are counted.
 struct Walks<'a> {
     bvh: &'a Bvh,
     tables: Tables<'a, BvhTree>,
@@ -71,7 +71,7 @@ impl<'a> Costs<'a> {
         Ok(Self { heat, any, tracer: BinaryTracer::with_method(bvh, method)?, steps })
     }
 
-    /// What a ray costs.
+    /// The cost of a ray.
     pub(super) fn of(&self, ray: &Ray) -> u64 {
         if let Some(walks) = &self.steps {
             let [backtracks, steps] = walks.count(&self.tracer, ray, self.any);
@@ -94,12 +94,12 @@ impl<'a> Walks<'a> {
         Self { bvh, tables: Tables::new(bvh.tree(), bvh.axes(), &[method], Implicit::LIMIT), boxes: bvh.own_boxes() }
     }
 
-    /// Backtracks and their steps.
+    /// Number of backtracks and of their steps.
     fn count(&self, tracer: &BinaryTracer<&Bvh>, ray: &Ray, any: bool) -> [u64; 2] {
         let (bvh, boxes) = (self.bvh, &*self.boxes);
         let query: &mut dyn Query =
             if any { &mut AnyByNode::new(bvh, boxes, ray) } else { &mut ClosestByNode::new(bvh, boxes, ray) };
-        // Searches that nothing can be pruned from are traversed as a whole, as the tracer has it.
+        // A query that does not allow pruning runs without pruning, as in the tracer.
         let method = tracer.method();
         let method = if query.allows(method.test().pruning()) { method } else { method.without_pruning() };
         let reads = Reads::default();

@@ -15,7 +15,7 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError};
 
 use crate::camera::Size;
 
-/// A picture in memory, white at first.
+/// A picture in memory, initially white.
 pub(crate) struct Picture {
     width: u32,
     height: u32,
@@ -27,7 +27,7 @@ impl Picture {
         Self { width, height, pixels: vec![[255; 3]; width as usize * height as usize] }
     }
 
-    /// Sets a rectangle from its upper left corner, pixel by pixel of the rectangle.
+    /// Fills a rectangle, given its upper left corner. `colour` receives the index of the pixel in the rectangle.
     pub(super) fn fill(&mut self, [left, top]: [u32; 2], size: Size, colour: impl Fn(usize) -> [u8; 3]) {
         for row in 0..size.height {
             for column in 0..size.width {
@@ -44,10 +44,10 @@ impl Picture {
         let Ok(_) = text.draw(self);
     }
 
-    /// The file: with a palette, if that has room for all colours.
+    /// Encodes the picture as PNG, with a palette if it has few enough colours.
     pub(crate) fn to_png(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
-        // Sizes are small and memory is no file: nothing that the encoder refuses.
+        // Encoding small pictures into memory cannot fail.
         let encoded = self.encode(&mut bytes);
         debug_assert!(encoded.is_ok(), "{encoded:?}");
         bytes
@@ -99,7 +99,7 @@ impl DrawTarget for Picture {
     }
 }
 
-/// Space around panels, and the height of a line of text with its own.
+/// Space around panels, and the height of a line of text including space.
 const GAP: u32 = 6;
 const LINE: u32 = 18;
 /// Height of the colour bar, and of its ticks.
@@ -108,11 +108,10 @@ const TICK: u32 = 4;
 /// Width of a letter.
 const LETTER: u32 = 7;
 
-/// Heat maps with one scale from 0 to `end`, each below its label, and the scale with its title below them all. Black:
-/// no ray.
+/// Heat maps with one scale from 0 to `end`, each below its label. The scale and its title are below all of them.
+/// Pixels without rays are black.
 pub(crate) fn heat_maps(size: Size, panels: &[(String, &Vec<Option<f64>>)], end: f64, unit: &str) -> Picture {
     let count = panels.len() as u32;
-    // No label is cut off.
     let widest = panels.iter().map(|(label, _)| width(label)).max().unwrap_or(0);
     let column = size.width.max(widest).max(if count == 1 { 200 } else { 0 });
     let across = count * column + (count + 1) * GAP;

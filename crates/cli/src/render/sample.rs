@@ -1,4 +1,4 @@
-//! What a pixel's rays are, and what is seen along them.
+//! The rays of a pixel, and their colours.
 
 use glam::Vec3;
 use stackless_bvh::bvh::Bvh;
@@ -9,17 +9,17 @@ use stackless_bvh::trace::{self, Hit, RayQueries, Tracer};
 use crate::camera::Camera;
 use crate::input::Scene;
 
-/// Which rays.
+/// The kind of rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Rays {
-    /// The camera's: a matt surface, lit from the upper left of the camera and by the sky.
+    /// Camera rays: a matt surface, lit from the upper left of the camera and by the sky.
     #[default]
     Primary,
-    /// The camera's: colours are the normals.
+    /// Camera rays: colours are the surface normals.
     Normals,
-    /// From where those hit: ambient occlusion within a tenth of the scene's diagonal.
+    /// Ambient occlusion at the hits of camera rays, within a tenth of the scene's diagonal.
     Ao,
-    /// Closest hits of endless rays from there: the light that comes back from what a lamp at the camera lights.
+    /// Closest hits of unbounded rays from the hits of camera rays, lit by a lamp at the camera.
     Diffuse,
 }
 
@@ -39,10 +39,10 @@ pub(super) struct Samples<'a> {
     pub(super) bvh: &'a Bvh,
     pub(super) tracer: Tracer,
     pub(super) camera: Camera,
-    /// Of the camera: forward, right and up.
+    /// Forward, right and up, of the camera.
     pub(super) axes: [Vec3; 3],
     pub(super) rays: Rays,
-    /// Of a pixel.
+    /// Samples per pixel.
     pub(super) spp: u32,
     pub(super) seed: u64,
 }
@@ -51,27 +51,27 @@ pub(super) struct Samples<'a> {
 pub(super) struct Sample {
     pub(super) primary: Ray,
     hit: Option<Hit>,
-    /// The ray that the sample is about.
+    /// The ray of this kind.
     pub(super) traced: Option<Ray>,
 }
 
-/// How far an occlusion ray reaches, in diagonals of the scene.
+/// The length of occlusion rays, in diagonals of the scene.
 const REACH: f32 = 0.1;
 
-/// Light and colours, linear, of a plain picture.
+/// Linear light and colours of shaded pictures.
 const BACKGROUND: Vec3 = Vec3::new(0.92, 0.94, 0.97);
 const MATT: Vec3 = Vec3::new(0.72, 0.76, 0.82);
 const WARM: Vec3 = Vec3::new(0.95, 0.88, 0.76);
 const COOL: Vec3 = Vec3::new(0.16, 0.20, 0.28);
 
-/// Brightness of what lies outside the scene.
+/// Brightness of rays that leave the scene.
 const SKY: f32 = 0.8;
 
 impl Samples<'_> {
-    /// The samples of a pixel, always the same ones.
+    /// The samples of a pixel, equal in each call.
     pub(super) fn of(&self, pixel: usize) -> impl Iterator<Item = Sample> + '_ {
         (0..self.spp).filter_map(move |k| {
-            // A sequence that fills the pixel evenly from its middle (Roberts' R2).
+            // A sequence that fills the pixel evenly from its centre (Roberts' R2).
             let place =
                 [0.754_877_666_246_692_7, 0.569_840_290_998_053_3].map(|step| (0.5 + step * f64::from(k)).fract());
             let primary = self.camera.ray(pixel, place)?;
@@ -84,7 +84,7 @@ impl Samples<'_> {
     pub(super) fn colour(&self, pixel: usize) -> [u8; 3] {
         let (sum, n) = self.of(pixel).fold((Vec3::ZERO, 0.0), |(sum, n), sample| (sum + self.seen(&sample), n + 1.0));
         let mean = if n > 0.0 { sum / n } else { Vec3::ZERO };
-        // Normals are numbers; all others are brightness, which screens raise to this power.
+        // Normals stay linear. Brightness is gamma-corrected for screens.
         let shown = if self.rays == Rays::Normals { mean } else { mean.powf(1.0 / 2.2) };
         (shown * 255.0 + 0.5).to_array().map(|channel| channel as u8)
     }
@@ -123,7 +123,7 @@ impl Samples<'_> {
         }
     }
 
-    /// A matt surface in light from the upper left of the camera, warm, and from above and below, cool.
+    /// A matt surface in warm light from the upper left of the camera, and cool light from above and below.
     fn matt(&self, ray: &Ray) -> Vec3 {
         let Some(hit) = self.tracer.closest(ray) else { return BACKGROUND };
         let Some(normal) = self.normal(ray, &hit) else { return Vec3::ZERO };
@@ -133,13 +133,13 @@ impl Samples<'_> {
         MATT * (WARM * lamp + COOL * sky).min(Vec3::ONE)
     }
 
-    /// The cosine between a ray and the normal of what it hits.
+    /// The cosine between a ray and the normal of the triangle that it hits.
     fn lit(&self, ray: &Ray) -> f32 {
         let Some(hit) = self.tracer.closest(ray) else { return SKY };
         self.normal(ray, &hit).map_or(0.0, |normal| -normal.dot(ray.direction().normalize_or_zero()))
     }
 
-    /// The unit normal that looks against the ray; `None` for triangles that are too small to have one.
+    /// The unit normal against the ray; `None` for triangles that are too small.
     fn normal(&self, ray: &Ray, hit: &Hit) -> Option<Vec3> {
         let [a, b, c] = self.scene.mesh.triangle(hit.prim as usize);
         let normal = (b - a).cross(c - a).try_normalize()?;

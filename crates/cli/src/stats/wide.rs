@@ -1,4 +1,4 @@
-//! The hierarchy of eight children, which `trace` and `render` use.
+//! The hierarchy of eight children, used by `trace` and `render`.
 
 use serde::Serialize;
 use stackless_bvh::bvh::Builder;
@@ -15,12 +15,12 @@ use crate::output::{Table, grouped, table};
 
 #[derive(Serialize)]
 pub(super) struct WideStats {
-    /// How it was built.
+    /// The builder.
     build: String,
     nodes: usize,
-    /// Children of an inner node, mean.
+    /// Mean number of children of inner nodes.
     children: f64,
-    /// Triangles of a leaf, mean.
+    /// Mean number of triangles in leaves.
     leaf_triangles: f64,
     /// Level of the deepest inner node.
     levels: u32,
@@ -32,13 +32,13 @@ pub(super) struct WideStats {
     choice: ChoiceStats,
 }
 
-/// The default tracer, and what else there is.
+/// The default tracer, and alternatives.
 #[derive(Serialize)]
 struct ChoiceStats {
     tracer: &'static str,
     method: &'static str,
     reasons: Vec<&'static str>,
-    /// Name, tracer and reason.
+    /// Need, tracer and reason.
     otherwise: Vec<[&'static str; 3]>,
 }
 
@@ -46,16 +46,16 @@ struct ChoiceStats {
 struct Row {
     method: &'static str,
     state_bytes: usize,
-    /// Of the tables that it needs.
+    /// Bytes of the tables that the traversal needs.
     table_bytes: usize,
     table_seconds: f64,
-    /// Tests of a node's boxes, all at once, for the closest hit of a camera ray.
+    /// Visited inner nodes, for the closest hit of a camera ray.
     nodes_per_ray: f64,
     leaves_per_ray: f64,
     triangles_per_ray: f64,
 }
 
-/// With the closest hits of these rays.
+/// Measures the closest hits of `rays`.
 pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
     let choice = Choice::for_needs(&[]);
     let build = Builder::default();
@@ -116,16 +116,16 @@ impl WideStats {
         )
     }
 
-    /// Which tracer serves, and why.
+    /// The default tracer, with the reasons.
     pub(super) fn choice(&self) -> String {
         let ChoiceStats { tracer, method, reasons, .. } = &self.choice;
         format!("default: {tracer} by {method} over {}. {}", self.build, reasons.join(" "))
     }
 
-    /// Where another tracer serves.
+    /// The cases in which another tracer is better.
     pub(super) fn otherwise(&self) -> Table {
         let rows = self.choice.otherwise.iter().map(|row| row.map(str::to_owned).into()).collect();
-        table(&["where you need", "it is", "why"], 3, rows)
+        table(&["need", "tracer", "reason"], 3, rows)
     }
 
     pub(super) fn to_table(&self) -> Table {

@@ -1,4 +1,4 @@
-//! What `stackless stress` counts.
+//! The counts of `stackless stress`.
 
 use serde::{Deserialize, Serialize};
 use stackless_bvh::trace::Accuracy;
@@ -10,16 +10,16 @@ use crate::record::{Counts, Run, add_rows, expect};
 /// The name of the rows of wide trees, which are exact.
 pub(super) const WIDE: &str = "exact, wide";
 
-/// The name of the rows in double precision, which are exact: each ray counts in two places.
+/// The name of the rows in double precision, which are exact. Each ray counts twice, for two places.
 pub(super) const DOUBLE: &str = "exact, double";
 
 const HEADER: [&str; 7] = ["case", "accuracy", "rays", "false misses", "false hits", "wrong primitives", "max ulp"];
 
-/// Of each case, how often each accuracy erred.
+/// The errors of each accuracy in each case.
 #[derive(Serialize, Deserialize)]
 pub(crate) struct StressCounts {
     pub(super) rows: Vec<Row>,
-    /// The rows have been printed as they came.
+    /// Whether the rows are already printed.
     #[serde(skip)]
     pub(super) are_shown: bool,
 }
@@ -59,7 +59,7 @@ impl Counts for StressCounts {
         add_rows(&mut self.rows, other.rows, is_same, |row, other| row.add(&other));
     }
 
-    /// The rows, unless they are shown already, and their sums for each accuracy.
+    /// Prints the rows, unless they are already printed, and their sums for each accuracy.
     fn print(&self) {
         if !self.are_shown {
             detail(table(&HEADER, 2, self.rows.iter().map(Row::cells).collect()));
@@ -80,7 +80,8 @@ impl Counts for StressCounts {
         format!("{}, {}, exact: {}", count(cases, "case"), count(rays, "ray"), count(errors, "error"))
     }
 
-    /// Those of exact tests. In wide trees and in others the rays are the same; in double precision they are these, twice.
+    /// The counts of exact tests. Binary and wide trees have the same rays; double precision has each of those rays
+    /// twice.
     fn cases_and_errors(&self) -> [u64; 2] {
         let sum = |accuracy: &str, of: fn(&Row) -> u64| {
             let rows = self.rows.iter().filter(|row| row.accuracy == accuracy);
@@ -111,7 +112,7 @@ impl Row {
         self.max_ulp = self.max_ulp.max(other.max_ulp);
     }
 
-    /// The header of rows that are printed one by one, or a row below it, with room for these names.
+    /// The header of rows that are printed one by one. `widths` are the widths of the names.
     pub(super) fn header(widths: [usize; 2]) -> String {
         in_columns(widths, &HEADER)
     }
@@ -120,7 +121,7 @@ impl Row {
         in_columns(widths, &self.cells())
     }
 
-    /// Wrong answers, and 1 for a wrong distance.
+    /// Number of wrong answers, plus 1 if a distance is wrong.
     pub(super) fn errors(&self) -> u64 {
         let counts = [self.false_misses, self.false_hits, self.wrong_primitives, u64::from(self.max_ulp > 0)];
         counts.into_iter().fold(0, u64::saturating_add)
@@ -133,7 +134,7 @@ impl Row {
     }
 }
 
-/// Cells as a table puts them: names to the left, numbers to the right.
+/// Aligns cells like a table: names left, numbers right.
 fn in_columns(names: [usize; 2], cells: &[impl AsRef<str>]) -> String {
     let cell = |(i, cell): (usize, &_)| match (names.get(i), AsRef::<str>::as_ref(cell)) {
         (Some(&width), cell) => format!("{cell:width$}"),

@@ -1,10 +1,9 @@
-//! Ray tracers by others, as implementations of the level `ray`.
+//! Other ray tracers, as implementations of the level `ray`.
 
 use serde_json::{Map, Value, json};
 use stackless_peers::{Peer, Ray};
 use stackless_suite::{Answer, Ask, Hello, Implementation, Level, Limits, PROTOCOL, Query};
 
-/// A peer.
 pub(super) struct Foreign(pub(super) Peer);
 
 pub(super) fn named(name: &str) -> Result<Peer, String> {
@@ -39,7 +38,7 @@ impl Implementation for Foreign {
 
 fn hits(peer: Peer, input: &Map<String, Value>) -> Result<Vec<Value>, Box<dyn std::error::Error>> {
     let Ask::Ray(asked) = Ask::of(input)? else { return Err("no rays".into()) };
-    // Invalid ones are not theirs to judge.
+    // Invalid rays are rejected before they reach the peer.
     asked.read()?;
     let (vertices, rays) = asked.numbers()?;
     let tracer = peer.build(&vertices, &asked.triangles)?;

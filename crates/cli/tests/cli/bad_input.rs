@@ -1,4 +1,4 @@
-//! Bad input: exit code 2, one line that says where, and nothing left behind.
+//! Bad input: exit code 2, one line with the place of the error, and no output files.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ const HEADER: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\
 const CORNERS: &str = "0 0 0\n1 0 0\n0 1 0\n";
 const RAY: &str = "0,0,-1,0,0,1,0,inf\n";
 
-/// Mesh files that are none, and what the error must name.
+/// Invalid mesh files, and texts that the error must contain.
 fn meshes() -> Vec<(&'static str, Vec<u8>, Vec<&'static str>)> {
     let ply = |body: &str| format!("{HEADER}{body}").into_bytes();
     let header = |from: &str, to: &str| format!("{}{CORNERS}3 0 1 2\n", HEADER.replace(from, to)).into_bytes();
@@ -69,7 +69,7 @@ fn meshes() -> Vec<(&'static str, Vec<u8>, Vec<&'static str>)> {
     ]
 }
 
-/// Runs `trace` with an output that is not there and with one that is, and then looks around.
+/// Runs `trace` with a new and with an existing output, and checks the files.
 fn trace_must_fail(mesh: &Path, rays: &Path, naming: &[&str]) {
     let folder = Folder::new();
     let (new, old) = (folder.path("new.csv"), folder.file("old.csv", "what was there"));
@@ -82,7 +82,7 @@ fn trace_must_fail(mesh: &Path, rays: &Path, naming: &[&str]) {
 
 fn check_must_fail(mesh: &Path, naming: &[&str]) {
     let folder = Folder::new();
-    // A good scene before the bad one is not begun with.
+    // The good scene is not checked before the bad scene fails.
     let cube = data("cube.ply");
     stackless("check --json", &[&folder.path("new.json"), &cube, mesh]).fails_naming(naming);
     stackless("bench --json", &[&folder.path("new.json"), &cube, mesh]).fails_naming(naming);
@@ -105,7 +105,7 @@ fn what_is_not_a_mesh() {
     }
     std::fs::create_dir(folder.path("folder.ply")).unwrap();
     trace_must_fail(&folder.path("folder.ply"), &rays, &["folder.ply", "cannot be read"]);
-    // The same with nothing wrong, so that it is not the harness that fails.
+    // Valid input succeeds, so the failures are not caused by this test.
     let mesh = folder.file("good.ply", format!("{HEADER}{CORNERS}3 0 1 2\n"));
     stackless("trace -o", &[&folder.path("out.csv"), &mesh, Path::new("--rays"), &rays]).passes();
     stackless("check --count 10", &[&mesh]).passes();

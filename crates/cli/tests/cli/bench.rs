@@ -1,4 +1,4 @@
-//! `stackless bench`: who is asked for is measured, on the rays that are asked for, and all exact ones agree.
+//! `stackless bench` measures the chosen contestants on the chosen rays, and all exact contestants agree.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ const METHODS: [&str; 10] = [
 ];
 const KINDS: [&str; 3] = ["primary", "any", "diffuse"];
 
-/// A run over made scenes with few rays, and its rows.
+/// A run over generated scenes with few rays, and its rows.
 fn bench(args: &str) -> (Run, Vec<Value>) {
     let folder = Folder::new();
     let json = folder.path("bench.json");
@@ -38,7 +38,7 @@ fn number(row: &Value, name: &str) -> f64 {
     row[name].as_f64().unwrap_or_else(|| panic!("{name} in {row}"))
 }
 
-/// Whether the ratio is to this row: after a single round it is that of the throughputs, and above 1 is faster.
+/// Whether the ratio is to this row. After a single round it is the ratio of the throughputs; above 1 is faster.
 fn is_to(row: &Value, base: &Value) -> bool {
     (number(row, "mrays") / number(base, "mrays") / number(row, "ratio") - 1.0).abs() < 1e-9
 }
@@ -55,7 +55,7 @@ fn a_handful_is_measured_on_three_kinds_of_rays() {
         for row in rows {
             assert!(number(row, "mrays") > 0.0 && number(row, "ratio") > 0.0, "{row}");
             assert!(number(row, "build_mtriangles") > 0.0 && number(row, "state_bytes") > 0.0, "{row}");
-            // All of binary trees visit the same nodes.
+            // All traversals of binary trees visit equal nodes.
             let is_wide = names(row)[2].starts_with("wide");
             assert!(is_wide || row["nodes_per_ray"] == rows[0]["nodes_per_ray"], "{row}");
             assert_eq!((&row["count"], &row["judged"]), (&rows[0]["count"], &rows[0]["count"]), "{row}");
@@ -63,7 +63,7 @@ fn a_handful_is_measured_on_three_kinds_of_rays() {
             assert!(errors.iter().all(|name| row[name].as_u64().unwrap_or(0) == 0), "{row}");
         }
     }
-    // One ray for each of the camera's that hits; and an occlusion ray is shorter than a diffuse one.
+    // One ray for each hit of a camera ray. An occlusion ray is shorter than a diffuse ray.
     let of = |kind: &str| rows.iter().find(|row| names(row)[..2] == ["soup", kind]).unwrap();
     assert_eq!(number(of("primary"), "count"), 300.0);
     assert!(number(of("any"), "count") == number(of("diffuse"), "count") && number(of("any"), "count") < 300.0);
@@ -83,7 +83,7 @@ fn what_is_asked_for_is_measured_once_each() {
     let found: Vec<_> = rows.iter().map(|row| (names(row)[2], names(row)[3])).collect();
     assert_eq!(found, expected.concat());
     assert!(rows.iter().all(|row| row["rays"] == "any"));
-    // The ratio is to `stack` with the first accuracy, for all.
+    // All ratios are to `stack` with the first accuracy.
     assert!(rows.iter().all(|row| is_to(row, &rows[0])), "{rows:?}");
     // Fixed order takes more visits.
     assert!(number(&rows[5], "nodes_per_ray") > number(&rows[4], "nodes_per_ray"));
@@ -103,7 +103,7 @@ fn the_geometric_mean_of_all_is_that_of_the_rows() {
     }
 }
 
-/// Where rounding errs, who is not exact is seen to err.
+/// Inexact contestants err on rays where rounding matters.
 #[test]
 fn aimed_rays_show_errors() {
     let (_, rows) = bench("soup --rounds 1 --method stack --kinds aimed --accuracy fast,exact");
@@ -129,11 +129,11 @@ fn trees_are_measured_beside_each_other() {
 #[test]
 fn rays_that_meet_nothing_are_said_to_be_missing() {
     let folder = Folder::new();
-    // A triangle that the camera sees, in front of nothing: what bounces off it hits nothing, but is there.
+    // A single triangle that the camera sees: bounced rays exist, but miss.
     let scene = folder.file("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     let run = stackless("bench --count 100 --rounds 1 --method stack", &[&scene]).passes();
     assert!(run.stdout.contains("diffuse"), "{}", run.stdout);
-    // One that cannot be hit.
+    // A triangle that cannot be hit.
     let scene = folder.file("none.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
     let run = stackless("bench --count 100 --rounds 1 --method stack", &[&scene]).passes();
     assert!(run.stdout.contains("none, diffuse: no rays") && run.stdout.contains("none, any: no rays"), "{run:?}");
@@ -160,7 +160,7 @@ fn peers_are_measured_where_they_are_built_in() {
             assert!(is_to(row, exact_stack), "{row} {exact_stack}");
             assert_eq!(row["judged"], row["count"], "{row}");
             assert!(row["nodes_per_ray"].is_null() && number(row, "build_mtriangles") > 0.0, "{row}");
-            // They are ray tracers, whatever their accuracy.
+            // Peers find most hits, independent of their accuracy.
             let errors = ["false_misses", "false_hits", "wrong_primitives"].map(|name| number(row, name));
             assert!(errors.iter().sum::<f64>() < 0.1 * number(row, "judged"), "{row}");
         }

@@ -1,4 +1,4 @@
-//! `stackless check`: the options do what they say, and the counts are those of the library.
+//! `stackless check`: the options work, and the counts are those of the library.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -9,7 +9,7 @@ use stackless_check::{CaseOptions, Plan, Tally, check_random};
 
 use super::support::{Folder, data, read_json, stackless};
 
-/// Runs `check` and gives the file of `--json`.
+/// Runs `check`, and returns the first line and the file of `--json`.
 fn check(args: &str, scenes: &[&Path]) -> (String, Value) {
     let folder = Folder::new();
     let json = folder.path("counts.json");
@@ -67,12 +67,12 @@ fn two_thousand_trees() {
     assert_same("--trees 2000", &plan(2000));
     let (stdout, counts) = check("--trees 50 --method hashed,afra-disjoint,stack", &[]);
     assert!(counts["resumes"].as_u64().unwrap() > 10_000, "{}", counts["resumes"]);
-    assert!(stdout.contains("put aside and taken up again: "));
-    // Stacks are not put aside.
+    assert!(stdout.contains("paused and resumed: "));
+    // Stacks are not paused.
     assert_eq!(check("--trees 50 --method stack", &[]).1["resumes"], 0);
 }
 
-/// As many as the formula says, each in every traversal and word that carries it.
+/// The number of cases matches the formula, for every traversal and word that supports them.
 #[test]
 fn all_small_trees() {
     let (_, counts) = check("--leaves 6", &[]);
@@ -119,7 +119,7 @@ fn scenes() {
     for row in counts["rows"].as_array().unwrap() {
         let all = row["cases"].as_u64().unwrap() + row["refused"].as_u64().unwrap();
         assert_eq!((all, &row["agree"]), (720, &row["cases"]), "{row}");
-        // A cube's tree by surface area may be complete. What prunes is not for any-hit rays.
+        // A cube's tree by surface area may be complete. Traversals that prune do not run any-hit rays.
         let method: Method = row["method"].as_str().unwrap().parse().unwrap();
         let prunes = method != method.without_pruning();
         assert!(method == Method::Complete || row["refused"] == if prunes { 360 } else { 0 }, "{row}");

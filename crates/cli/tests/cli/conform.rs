@@ -1,8 +1,8 @@
-//! What `stackless conform` prints and writes.
+//! The output of `stackless conform`.
 
 use super::support::{Folder, read_json, stackless};
 
-/// A program that rejects whatever it is asked.
+/// A program that rejects every case.
 const REJECTS: &str = r#"read -r hello
 printf '{"protocol":1,"name":"x","profiles":["key/u32","trace/script","trace/tape"],"features":["changing"]}\n'
 echo noise >&2
@@ -12,7 +12,7 @@ while read -r line; do
     printf '{"seq":%s,"reject":"trail"}\n' "$seq"
 done"#;
 
-/// The smallest case of a basic profile first, why it is there, and the command that shows it, which works.
+/// The first failure is the smallest case of a basic profile, with a reason and a working command that shows it.
 #[test]
 fn a_failing_case_teaches() {
     let folder = Folder::new();
@@ -33,7 +33,7 @@ fn a_failing_case_teaches() {
     assert_eq!(with_noise.stderr, "noise\n");
 }
 
-/// With what is written the run succeeds, and what is not run is kept.
+/// The written waivers make the run succeed, and waivers of cases that did not run are kept.
 #[test]
 fn waivers_are_written() {
     let folder = Folder::new();

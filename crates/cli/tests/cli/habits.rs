@@ -1,4 +1,4 @@
-//! What all commands have in common: help, silence, streams, interruptions.
+//! The common part of all commands: help, silence, streams, interruptions.
 
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -57,13 +57,13 @@ fn a_dash_is_a_stream() {
     assert!(run.code == Some(2), "{run:?}");
 }
 
-/// Files that are no text are not written to a terminal.
+/// Binary files are not written to a terminal.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_terminal_gets_text_alone() {
     for (args, code, what) in [
-        ("render soup --size 8 -o -", 2, ".png is no text"),
-        ("trace soup --rays /dev/null --format npy -o -", 2, ".npy is no text"),
+        ("render soup --size 8 -o -", 2, ".png is binary"),
+        ("trace soup --rays /dev/null --format npy -o -", 2, ".npy is binary"),
         ("stats soup --count 16 --plot -", 0, "<svg"),
     ] {
         let mut script = Command::new("script");
@@ -90,7 +90,7 @@ fn help_breaks_lines_between_words() {
     }
 }
 
-/// Nothing is written before it is whole.
+/// Files are written atomically.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_command_leaves_no_half_file() {
@@ -99,9 +99,9 @@ fn an_interrupted_command_leaves_no_half_file() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_stackless"));
     command.args(["render", "strands", "--kind", "ao", "--spp", "65536", "--size", "2000", "-o"]).arg(&picture);
     let mut child = command.stderr(Stdio::null()).spawn().unwrap();
-    // Long enough to be in the middle of it, and far too short to be done.
+    // Long enough to be running, and far too short to finish.
     std::thread::sleep(std::time::Duration::from_millis(500));
-    // As Ctrl-C does, which shells make processes in the background ignore.
+    // Like Ctrl-C, which background processes of shells ignore.
     let ended = Command::new("kill").args(["-TERM", &child.id().to_string()]).status().unwrap();
     assert!(ended.success());
     let status = child.wait().unwrap();
@@ -109,7 +109,7 @@ fn an_interrupted_command_leaves_no_half_file() {
     assert!(folder.names().is_empty(), "{:?}", folder.names());
 }
 
-/// Names that are nearly right are answered with what may be meant, and completions know the names.
+/// Errors suggest similar names, and completions contain the names.
 #[test]
 fn names_are_offered() {
     for (args, meant) in [
@@ -130,13 +130,13 @@ fn names_are_offered() {
     assert!(zsh.contains("--output=[") && zsh.contains(":FILE:_files"), "{zsh}");
 }
 
-/// A kind of file that is not written is refused before the work.
+/// Unsupported file kinds are refused before the work.
 #[test]
 fn a_name_does_not_promise_another_kind() {
     for (args, naming) in [
-        ("render soup -o x.jpg", ["says .jpg", "expected .png"]),
-        ("explain -o x.pdf", ["says .pdf", "expected .html"]),
-        ("stats soup --plot x.png", ["says .png", "expected .svg"]),
+        ("render soup -o x.jpg", ["extension .jpg", "expected .png"]),
+        ("explain -o x.pdf", ["extension .pdf", "expected .html"]),
+        ("stats soup --plot x.png", ["extension .png", "expected .svg"]),
     ] {
         let run = stackless(args, &[]);
         assert!(run.code == Some(2) && naming.iter().all(|what| run.stderr.contains(what)), "{args}: {run:?}");
@@ -166,7 +166,7 @@ fn manual_pages_are_written() {
     assert!(!man.join("stackless-help.1").exists());
 }
 
-/// Every record of `--json` is an object that says what made it, where, and of what.
+/// Every record of `--json` is an object with the program, the machine and the scenes.
 #[test]
 fn records_say_what_made_them() {
     let folder = Folder::new();
@@ -177,7 +177,7 @@ fn records_say_what_made_them() {
         assert_eq!(record["version"], env!("CARGO_PKG_VERSION"), "{args}");
         assert!(record["machine"].is_string() && record["scenes"].is_array(), "{args}");
         assert_eq!(record["command"], args.split(' ').next().unwrap());
-        // Nothing divided by nothing.
+        // No quotients of 0.
         let is_number = |word: &str| !["inf", "NaN", "-inf"].contains(&word.trim_matches(['x', '%', '(', ')', ',']));
         assert!(run.stdout.split_whitespace().all(is_number), "{args}: {}", run.stdout);
     }

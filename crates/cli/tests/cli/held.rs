@@ -1,4 +1,4 @@
-//! Every command where things go badly: streams that are full or closed, places that cannot be written, signals.
+//! Every command under bad conditions: full and closed streams, unwritable places, signals.
 #![cfg(unix)]
 
 use std::fs::{self, File};
@@ -12,7 +12,7 @@ use super::support::{Folder, data, stackless};
 
 const CUBE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/data/cube.ply");
 
-/// A short run of every command, and the options that name what it writes.
+/// A short run of every command, with its output options.
 const RUNS: &[(&str, &[&str])] = &[
     ("check --trees 5 --method stack", &["--json"]),
     ("trace CUBE --rays RAYS", &["-o"]),
@@ -34,7 +34,7 @@ const RUNS: &[(&str, &[&str])] = &[
     ("--version", &[]),
 ];
 
-/// What is put for names in capitals.
+/// Replacements of names in capitals.
 struct Place {
     folder: Folder,
 }
@@ -53,7 +53,7 @@ impl Place {
     fn command(&self, args: &str, options: &[&str]) -> Command {
         let stackless = env!("CARGO_BIN_EXE_stackless");
         let mut command = Command::new(stackless);
-        // What is behind `--` is another program's.
+        // The part after `--` belongs to another program.
         let (ours, others) = args.split_once(" -- ").map_or((args, None), |(ours, others)| (ours, Some(others)));
         let path = |name: &str| self.folder.path(name).display().to_string();
         let word = |word: &str| match word {
@@ -73,7 +73,7 @@ impl Place {
     }
 }
 
-/// The option and a place for the outputs that a command must have.
+/// The option and a place for required outputs.
 fn needed<'p>(options: &[&'p str], place: &'p str) -> Vec<&'p str> {
     let is_needed = |option: &&&str| **option == "-o";
     options.iter().filter(is_needed).flat_map(|option| [*option, place]).collect()
@@ -86,7 +86,7 @@ fn without_output(command: &Command) -> Command {
     shell
 }
 
-/// A standard output that is full, or not there, is an error; a reader that goes away is none. Neither ends in a panic.
+/// A full or missing standard output is an error; a closed pipe is not. No case panics.
 #[test]
 fn an_output_that_cannot_be_written_is_an_error_and_a_reader_that_goes_away_is_not() {
     let place = Place::new();
@@ -94,7 +94,7 @@ fn an_output_that_cannot_be_written_is_an_error_and_a_reader_that_goes_away_is_n
     for (args, options) in RUNS {
         let full = || File::options().write(true).open("/dev/full").unwrap();
         let own = needed(options, &out);
-        // What is written to `-` too.
+        // Also output to `-`.
         for options in [own.clone()].into_iter().chain(options.iter().map(|option| vec![*option, "-"])) {
             for mut command in [place.command(args, &options), without_output(&place.command(args, &options))] {
                 let output = command.stdout(full()).output().unwrap();
@@ -102,7 +102,7 @@ fn an_output_that_cannot_be_written_is_an_error_and_a_reader_that_goes_away_is_n
                 assert_eq!(output.status.code(), Some(2), "{command:?}: {error}");
                 assert!(error.ends_with('\n'), "{command:?}: {error}");
                 assert!(error.contains("standard output: cannot be written"), "{command:?}: {error}");
-                // With nobody to tell, the exit code still tells.
+                // Without standard error, the exit code still shows the error.
                 assert_eq!(command.stderr(full()).status().unwrap().code(), Some(2), "{command:?}");
             }
         }
@@ -113,10 +113,10 @@ fn an_output_that_cannot_be_written_is_an_error_and_a_reader_that_goes_away_is_n
         let output = child.unwrap().wait_with_output().unwrap();
         assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()), "{args}");
     }
-    // Where nothing is said, no output is needed.
+    // Silent commands need no output.
     let quiet = without_output(&place.command("--quiet check --trees 5", &[])).status().unwrap();
     assert_eq!(quiet.code(), Some(0));
-    // An adapter that cannot be heard, or is not.
+    // An adapter whose output is full, missing or closed.
     let hello = || File::open(place.folder.file("hello", "{\"cmd\":\"hello\",\"protocol\":1}\n")).unwrap();
     let full = File::options().write(true).open("/dev/full").unwrap();
     for mut serve in [place.command("suite serve", &[]), without_output(&place.command("suite serve", &[]))] {
@@ -127,12 +127,12 @@ fn an_output_that_cannot_be_written_is_an_error_and_a_reader_that_goes_away_is_n
     drop(child.stdout.take());
     std::io::copy(&mut hello(), &mut child.stdin.take().unwrap()).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(0));
-    // What is wrong with the command line cannot be told either.
+    // Also errors of the command line.
     let full = File::options().write(true).open("/dev/full").unwrap();
     assert_eq!(place.command("nosuch", &[]).stderr(full).status().unwrap().code(), Some(2));
 }
 
-/// A place that cannot be written is known before the work, and before the input is read.
+/// Unwritable places are detected before the work, and before the input is read.
 #[test]
 fn a_place_that_cannot_be_written_is_refused_first() {
     let place = Place::new();
@@ -155,7 +155,7 @@ fn a_place_that_cannot_be_written_is_refused_first() {
     assert_eq!(place.folder.names(), ["file", "folder", "rays.csv", "record.json", "suite"]);
 }
 
-/// A disk that is full leaves the file as it was. It needs the right to mount one.
+/// A full disk leaves the old file. Needs the right to mount a disk.
 #[test]
 fn a_full_disk_leaves_what_was_there() {
     let place = Place::new();
@@ -176,7 +176,7 @@ fn a_full_disk_leaves_what_was_there() {
     }
 }
 
-/// No command overwrites what it reads, nor writes two things to one place.
+/// No command overwrites its input, or writes two outputs to one place.
 #[test]
 fn a_place_has_one_use() {
     let place = Place::new();
@@ -193,7 +193,7 @@ fn a_place_has_one_use() {
             };
             let run = place.command(args, &[&[cube.as_str()], &more[..], &[option, target]].concat()).output().unwrap();
             let error = String::from_utf8(run.stderr).unwrap();
-            assert!(run.status.code() == Some(2) && error.contains("would overwrite it"), "{args}: {error}");
+            assert!(run.status.code() == Some(2) && error.contains("would overwrite an input"), "{args}: {error}");
         }
     }
     let refused = |args: &str, options: &[&str], what: &str| {
@@ -201,9 +201,9 @@ fn a_place_has_one_use() {
         let error = String::from_utf8(run.stderr).unwrap();
         assert!(run.status.code() == Some(2) && error.contains(what), "{args} {options:?}: {error}");
     };
-    refused("trace CUBE --rays RAYS", &["-o", &rays], "would overwrite it");
-    refused("conform --waivers RAYS -- x", &["--write-waivers", &rays], "would overwrite it");
-    refused("suite export --suite SUITE", &["-o", &suite], "would overwrite it");
+    refused("trace CUBE --rays RAYS", &["-o", &rays], "would overwrite an input");
+    refused("conform --waivers RAYS -- x", &["--write-waivers", &rays], "would overwrite an input");
+    refused("suite export --suite SUITE", &["-o", &suite], "would overwrite an input");
     let twice = "two outputs";
     refused("stats CUBE", &["--json", &path("new"), "--plot", &path("folder/../new")], twice);
     refused("stats CUBE", &["--json", "-", "--plot", "-"], twice);
@@ -219,7 +219,7 @@ fn a_place_has_one_use() {
     assert_eq!(place.folder.names(), ["cube.ply", "folder", "link", "rays.csv", "record.json", "suite"]);
 }
 
-/// A signal in the middle of writing leaves no temporary file, and the file as it was.
+/// A signal during writing leaves no temporary file, and the old file.
 #[test]
 fn a_signal_leaves_no_temporary_file() {
     let folder = Folder::new();
@@ -231,7 +231,7 @@ fn a_signal_leaves_no_temporary_file() {
         command.args(["-q", "trace"]).arg(data("cube.ply")).arg("--rays").arg(&rays);
         let mut child = command.arg("-o").arg(out.path("hits.csv")).spawn().unwrap();
         let start = Instant::now();
-        // The first look at the place leaves one for a moment too: this is the one that grows.
+        // The check for writability also creates a file for a moment; this file grows.
         let is_growing =
             |name: &String| fs::metadata(out.path(name)).is_ok_and(|file| name != "hits.csv" && file.len() > 0);
         while !out.names().iter().any(is_growing) {
@@ -247,7 +247,7 @@ fn a_signal_leaves_no_temporary_file() {
     }
 }
 
-/// However the runner ends, the program that it asks ends too, with all that it has started.
+/// For every end of the runner, the program under test and its children end, too.
 #[test]
 fn no_program_survives_its_runner() {
     let place = Place::new();
@@ -274,8 +274,8 @@ fn no_program_survives_its_runner() {
     }
 }
 
-/// Those signals that this process does not ignore, and so those that it starts do not: a shell that puts it into the
-/// background has it ignore some.
+/// The signals that this process does not ignore, so its children do not ignore them. A shell makes background
+/// processes ignore some signals.
 fn heeded(signals: [(&'static str, i32); 3]) -> impl Iterator<Item = (&'static str, i32)> {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
@@ -289,7 +289,7 @@ fn heeded(signals: [(&'static str, i32); 3]) -> impl Iterator<Item = (&'static s
     })
 }
 
-/// Whether a process runs; one that has ended may still be in the table.
+/// Whether a process runs. A process that has ended may still be in the table.
 fn is_running(pid: &str) -> bool {
     let output = Command::new("ps").args(["-o", "stat=", "-p", pid]).output().unwrap();
     !matches!(output.stdout.trim_ascii().first(), None | Some(b'Z'))

@@ -1,4 +1,4 @@
-//! `--shard` and `stackless merge`: the parts of any cut add up to the whole.
+//! `--shard` and `stackless merge`: the parts add up to the whole, for every division.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::support::{Folder, Run, data, read_json, stackless};
 
-/// Runs all parts of a command and gives their records.
+/// Runs all parts of a command, and returns their records.
 fn parts(folder: &Folder, args: &str, scenes: &[&Path], count: u32) -> Vec<PathBuf> {
     let part = |index: u32| {
         let path = folder.path(&format!("{index}.json"));
@@ -22,26 +22,26 @@ fn merge(records: &[PathBuf], json: &Path) -> Run {
     stackless("merge --json", &paths)
 }
 
-/// All that is in a record but the time it took.
+/// The content of a record, without times.
 fn counts(path: &Path) -> Value {
     let mut record = read_json(path);
     assert!(record["run"].as_object_mut().unwrap().remove("machines").is_some());
     record
 }
 
-/// The second line of what is said of a sum, and the others.
+/// The second line of the output of a sum, and the other lines.
 fn without_claim(said: &str) -> (&str, String) {
     let (verdict, rest) = said.split_once('\n').unwrap();
     let (claim, rest) = rest.split_once('\n').unwrap();
     (claim, format!("{verdict}\n{rest}"))
 }
 
-/// What is said of a run once it is over.
+/// The last part of the output of a run.
 fn verdict(said: &str) -> &str {
     &said[said.find("pass: ").unwrap()..]
 }
 
-/// The sum is the record of the whole run, and says the same.
+/// The sum is the record of the whole run, with equal output.
 fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
     let folder = Folder::new();
     let [whole, sum] = ["whole.json", "sum.json"].map(|name| folder.path(name));
@@ -65,7 +65,7 @@ fn assert_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
 fn parts_of_check_add_up() {
     assert_cut("check --trees 500 --count 100", &[&data("cube.ply"), &data("cube.obj")], &[1, 7, 64]);
     assert_cut("check --leaves 5", &[], &[1, 7]);
-    // With the trees at the limits of the words, and more rays than are made at once.
+    // Includes the trees at the limits of words, and more rays than in a block.
     assert_cut("check --method sparse,hashed --count 5000", &[], &[3]);
 }
 
@@ -105,7 +105,7 @@ fn what_is_not_one_run_is_refused() {
     refused(&[&a, &b, &seed], &["seed.json: `seed` is 2, another than in ", "1.json"]);
     refused(&[&a, &b, &stress], &["stress.json: "]);
     refused(&[&a, &b, &version], &["version.json: another version of the program than in "]);
-    refused(&[&a, &broken], &["broken.json: no record: missing field `version`"]);
+    refused(&[&a, &broken], &["broken.json: not a record: missing field `version`"]);
     refused(&[&data("cube.ply")], &["cube.ply: not JSON: ", "; expected a record"]);
     refused(&[&folder.path("none.json")], &["none.json: cannot be read"]);
     merge(&[b, a, c], &sum).passes();
@@ -126,7 +126,7 @@ fn errors_of_a_part_are_those_of_the_sum() {
     assert_eq!(run.first_line(), "FAIL: 20 trees, 0 rays, 2 methods, 3 disagreements");
 }
 
-/// The record of a run with one change, which `merge` then refuses, also where it draws.
+/// Changes the record of a run in one place. `merge` refuses it, also when drawing.
 fn assert_refused(folder: &Folder, record: &Value, pointer: &str, changed: Value) {
     let mut record = record.clone();
     *record.pointer_mut(pointer).unwrap() = changed;
@@ -136,7 +136,7 @@ fn assert_refused(folder: &Folder, record: &Value, pointer: &str, changed: Value
     run.fails_naming(&["changed.json"]);
 }
 
-/// The places of all numbers but those that were asked.
+/// The places of all numbers, except those in `asked`.
 fn numbers(value: &Value, at: &str) -> Vec<String> {
     let within = |(key, value): (String, &Value)| numbers(value, &format!("{at}/{key}"));
     match value {

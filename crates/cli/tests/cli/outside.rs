@@ -1,4 +1,5 @@
-//! Records that others write, for `stackless merge`: the fuzz targets, the mutants of the adapters, the extracted machines.
+//! Records of other programs for `stackless merge`: the fuzz targets, the mutants of the adapters, the extracted
+//! machines.
 
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
@@ -12,14 +13,14 @@ fn merge(records: &[PathBuf]) -> Run {
     stackless("merge -v", &records.iter().map(PathBuf::as_path).collect::<Vec<_>>())
 }
 
-/// A program of these lines of shell.
+/// Writes a shell script with these lines.
 fn script(path: &Path, lines: &str) {
     std::fs::create_dir_all(path.parent().unwrap()).unwrap();
     std::fs::write(path, format!("#!/bin/bash\n{lines}\n")).unwrap();
     std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o755)).unwrap();
 }
 
-/// `fuzz/run.sh` with targets that do not fuzz: one is clean, one finds something, one is many processes in one.
+/// `fuzz/run.sh` with targets that do not fuzz: one is clean, one has a finding, one runs several processes.
 #[test]
 fn runs_of_fuzz_targets_add_up() {
     let folder = Folder::new();
@@ -60,7 +61,7 @@ fn runs_of_fuzz_targets_add_up() {
     assert_eq!(merged.first_line(), "FAIL: 3 targets, 9,234 executions, 1 finding");
     assert!(merged.stdout.contains("\nclaim: none of a rate"), "{merged:?}");
 
-    // Later runs: executions add up, the corpus is that of the last, and a record that is given twice counts once.
+    // Later runs: executions add up, the last corpus counts, and a repeated record counts once.
     std::fs::remove_dir_all(at("fuzz/seeds/wrong")).unwrap();
     let first = records().into_iter().find(|path| path.to_string_lossy().contains("clean")).unwrap();
     std::fs::remove_file(at("fuzz/corpus/clean/1")).unwrap();
@@ -72,14 +73,14 @@ fn runs_of_fuzz_targets_add_up() {
     let row: Vec<_> = merged.stdout.lines().nth(3).unwrap().split_whitespace().collect();
     assert_eq!([row[0], row[1], row[2], row[4], row[5]], ["clean", "2", "8,000", "2", "0"], "{merged:?}");
 
-    // Those of another version are not added.
+    // Runs of another version are not added.
     let other = at("other.json");
     let text = std::fs::read_to_string(of_clean().next().unwrap()).unwrap();
     std::fs::write(&other, text.replace("\"version\": \"0", "\"version\": \"7")).unwrap();
     merge(&of_clean().chain([other]).collect::<Vec<_>>()).fails_naming(&["another version of the program"]);
 }
 
-/// Mutants of the Python adapter, of which some are asked in parts, by a program that knows the adapter by its text.
+/// Mutants of the Python adapter, partly run in parts, by a program that recognises the adapter by its text.
 #[test]
 fn mutants_of_the_adapters_add_up() {
     if Command::new("python3").arg("--version").output().is_err() {
@@ -107,7 +108,7 @@ fn mutants_of_the_adapters_add_up() {
     };
     let sum = folder.path("sum.json");
     let parts = ["1/2", "2/2"].map(run);
-    // Some are listed as equivalent, and caught by this program: then the exit code is 1.
+    // Some mutants are listed as equivalent, but caught by this program; then the exit code is 1.
     let code = stackless("merge --json", &[&sum, &parts[0], &parts[1]]).code;
     let whole = run("1/1");
     assert_eq!(counts(&sum), counts(&whole));
@@ -144,14 +145,14 @@ fn a_campaign_is_drawn() {
     stackless("merge --plot", &[&svg, &parts[1], &parts[0]]).passes();
     let text = std::fs::read_to_string(&svg).unwrap();
     assert!(text.starts_with("<svg") && text.contains("stackless check") && !text.contains("#AA1428"), "{text}");
-    // Nothing is drawn of parts that do not fit.
+    // Parts that do not fit are not drawn.
     std::fs::remove_file(&svg).unwrap();
     stackless("merge --plot", &[&svg, &parts[0]]).fails_naming(&["10 of 20 trees are missing"]);
     stackless("merge --plot", &[&svg, &data("cube.ply")]).fails_naming(&["cube.ply"]);
     assert!(!svg.exists());
 }
 
-/// What `differ` of spec/rocq/extract writes.
+/// A record of `differ` of spec/rocq/extract.
 #[test]
 fn searches_of_the_extracted_machines_add_up() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! `stackless contains`, `stackless nearest`, and the queries of `stackless trace`, on a box of which all answers are known.
+//! `stackless contains`, `stackless nearest`, and the queries of `stackless trace`, on a box with known answers.
 
 use std::path::{Path, PathBuf};
 
@@ -38,7 +38,7 @@ fn points_are_inside_outside_or_on_the_surface() {
     for rule in ["parity", "nonzero", "winding"] {
         assert_eq!(answers(&format!("contains --rule {rule}"), BOX, points), places, "{rule}");
     }
-    // Single precision has neither of the two next to the face.
+    // Single precision cannot represent the two points next to the face.
     assert_eq!(
         answers("contains --single", BOX, points),
         "place\ninside\nsurface\nsurface\nsurface\nsurface\noutside\n"
@@ -59,7 +59,7 @@ fn rules_that_do_not_fit_say_which_one_does() {
     let said = refusal("contains --rule nonzero", &turned, "1,2,3\n");
     assert!(said.contains("not oriented") && said.contains("rule `parity` fits"), "{said}");
     assert_eq!(answers("contains", &turned, "1,2,3\n"), "place\ninside\n");
-    // Every face twice: by parity all is outside, which is said.
+    // Every face twice: by parity all points are outside, which is printed.
     let (_, faces) = BOX.split_once("f 1").unwrap();
     let twice = format!("{BOX}f 1{faces}");
     let (run, _folder, out) = run("contains", &twice, "1,2,3\n");

@@ -35,7 +35,7 @@ fn rays() -> String {
     cells.map(ray).collect()
 }
 
-/// How many of the rays hit the face below them.
+/// Number of rays that hit the face below them.
 fn right_faces(hits: &str) -> usize {
     let lines = hits.lines().filter(|line| line.starts_with(|c: char| c.is_ascii_digit())).enumerate();
     lines.filter(|(i, line)| line.starts_with(&format!("{},", 2 * i))).count()
@@ -56,7 +56,7 @@ fn a_survey_is_traced_as_it_is() {
     let single = trace("--single");
     assert_eq!(right_faces(&single.stdout), 0, "{single:?}");
     assert!(single.stderr.contains("by wide-record, exact, in single precision\n"), "{single:?}");
-    // One line for each file says how many numbers were rounded, and by how much: the diagonal is 7 m long.
+    // One line for each file has the number and the size of rounding errors. The diagonal is 7 m long.
     let (mesh, rays) = (mesh.display(), rays.display());
     for (run, precision, shares) in [(double, "double", ["6.6e-11"; 2]), (single, "single", ["2.9e-2", "3.2e-2"])] {
         let note = |file: &dyn std::fmt::Display, counts, share| {
@@ -68,7 +68,7 @@ fn a_survey_is_traced_as_it_is() {
     }
 }
 
-/// Nothing is said where nothing is rounded.
+/// Without rounding there is no note.
 #[test]
 fn what_is_read_as_it_is_needs_no_note() {
     let folder = Folder::new();
@@ -78,7 +78,7 @@ fn what_is_read_as_it_is_needs_no_note() {
         let out = folder.path("hits.csv");
         stackless(&format!("trace {precision} -o"), &[&out, Path::new("--rays"), &rays, &mesh]).passes();
     }
-    // A number that only one of the precisions has.
+    // A number that only double precision can represent.
     let mesh = folder.file("mesh.obj", "v 0 0 0\nv 16777217 0 0\nv 0 1 0\nf 1 2 3\n");
     let note = ": 1 of 9 numbers was rounded to single precision, by at most 6.0e-8 of the scene's size\n";
     for (precision, said) in [("--single", note), ("", "")] {
@@ -101,7 +101,7 @@ fn what_double_precision_does_not_have_is_refused_by_its_name() {
     }
 }
 
-/// All are counted, also where no triangle is left.
+/// All rounded numbers are counted, also if no triangle remains.
 #[test]
 fn triangles_without_area_are_counted() {
     let folder = Folder::new();

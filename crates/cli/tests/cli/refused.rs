@@ -1,4 +1,4 @@
-//! What is refused instead of being done in part, in vain, or without end.
+//! Requests that are refused instead of being done partly, uselessly, or without end.
 
 use std::process::Command;
 
@@ -25,7 +25,7 @@ fn a_build_that_was_asked_for_is_not_replaced() {
     }
 }
 
-/// A run that would check nothing does not begin.
+/// A run without any checks does not start.
 #[test]
 fn nothing_to_do_is_refused() {
     for (args, naming) in [
@@ -54,7 +54,7 @@ fn refuse_counts(most: u64) {
     }
 }
 
-/// What would take all memory or all time is refused before either is gone.
+/// Requests for too much memory or time are refused early.
 #[test]
 fn numbers_beyond_all_bounds_are_refused() {
     for most in [u64::MAX, u64::from(u32::MAX)] {
@@ -70,7 +70,7 @@ fn numbers_beyond_all_bounds_are_refused() {
     assert!(threads("3").status.success() && threads("0").status.success() && threads("many").status.success());
 }
 
-/// Requests that never end are ended.
+/// Endless input is refused.
 #[cfg(unix)]
 #[test]
 fn endless_requests_are_refused() {
@@ -83,7 +83,7 @@ fn endless_requests_are_refused() {
     endless.fails_naming(&["/dev/zero", "more than 67108864 bytes"]);
 }
 
-/// A field that a file has for nothing is a mistake of whoever wrote it.
+/// Unknown fields are errors.
 #[test]
 fn unknown_fields_of_a_replay_are_refused() {
     let folder = Folder::new();
@@ -96,7 +96,7 @@ fn unknown_fields_of_a_replay_are_refused() {
     }
 }
 
-/// Nothing asked is nothing shown.
+/// An implementation that runs no case does not conform.
 #[test]
 fn a_program_that_is_asked_nothing_does_not_conform() {
     let folder = Folder::new();
@@ -112,7 +112,7 @@ fn a_program_that_is_asked_nothing_does_not_conform() {
     }
 }
 
-/// What another program says reaches the terminal as text.
+/// Output of other programs reaches the terminal as text.
 #[test]
 fn a_program_does_not_write_to_the_terminal() {
     let folder = Folder::new();
@@ -135,7 +135,7 @@ done"#
     assert!(is_plain(&run.stdout) && is_plain(&run.stderr), "{run:?}");
 }
 
-/// A suite of others is written where its names belong, or not at all.
+/// A foreign suite is written atomically, and only inside its folder.
 #[test]
 fn a_suite_of_others_stays_in_its_folder() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! `stackless render`: pictures that are the same each time, and that show what was counted.
+//! `stackless render`: pictures are reproducible, and show the counts.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ fn render(args: &str, folder: &Folder) -> (Run, (u32, u32, Vec<[u8; 3]>)) {
     (run, read(&path))
 }
 
-/// The numbers behind "mean of a panel" lines, by panel.
+/// The numbers of "mean" lines, by panel.
 fn means(run: &Run) -> Vec<f64> {
     let number = |line: &str| line.split(": ").nth(2).unwrap().split(' ').next().unwrap().parse().unwrap();
     run.stdout.lines().map(number).collect()
@@ -44,7 +44,7 @@ fn the_same_options_give_the_same_picture() {
     }
 }
 
-/// A triangle that fills the image from its middle to the right: normals are known, and so is what misses.
+/// A triangle that fills the right half of the image: normals and misses are known.
 #[test]
 fn colours_are_those_of_what_is_hit() {
     let folder = Folder::new();
@@ -58,7 +58,7 @@ fn colours_are_those_of_what_is_hit() {
         assert_eq!((pixels[3], pixels[4]), (missed, hit), "{rays}");
         assert_eq!((pixels[59], pixels[60]), (missed, hit), "{rays}");
     }
-    // A face has one brightness: more if it is turned upwards, to the lamp, and less if downwards.
+    // A face has a constant brightness: more if it faces up, to the lamp, and less if it faces down.
     let turned =
         ["v -99 -9 9\nv 99 -9 9\nv 0 99 -99", "v -99 -9 0\nv 99 -9 0\nv 0 99 0", "v -99 9 9\nv 99 9 9\nv 0 -99 -99"];
     let middles = turned.map(|corners| {
@@ -79,7 +79,7 @@ fn costs_are_as_the_papers_say() {
     let (run, picture) = render(&format!("stadium --heatmap backtrack --method {methods} --size 40{near}"), &folder);
     let [parents, uncles, hashed] = means(&run)[..] else { panic!("{run:?}") };
     assert!(parents > uncles && uncles > hashed && hashed > 1.0, "{run:?}");
-    // Three panels, each as wide as its label.
+    // Three panels with the widths of their labels.
     assert!(picture.0 > 3 * 40 + 4 * 6, "{}", picture.0);
 
     let (postponed, _) = render(&format!("stadium --heatmap postponed --method hashed,stack --size 40{near}"), &folder);
@@ -97,7 +97,7 @@ fn heat_is_what_the_other_commands_count() {
     let run = |heat: &str, methods: &str| {
         means(&render(&format!("strands --heatmap {heat} --method {methods} --size 20"), &folder).0)
     };
-    // Traversals that take the same children visit the same nodes; those of fixed order more.
+    // Traversals that take equal children visit equal nodes; traversals with a fixed order visit more.
     let nodes = run("nodes", every);
     assert!(nodes[1..7].iter().all(|&mean| mean == nodes[0]) && nodes[8] > nodes[0], "{nodes:?}");
     assert_eq!(run("boxes", "stack,hashed")[0], run("boxes", "uncle")[0]);
@@ -105,7 +105,7 @@ fn heat_is_what_the_other_commands_count() {
     assert!(hash[0] > 0.0 && hash[0] < hash[1] && hash[2] == 0.0, "{hash:?}");
     assert_eq!(hash[1], run("postponed", "stack")[0]);
     assert!(run("fallback", "hashed")[0] <= run("triangles", "hashed")[0]);
-    // Laine's short stack starts again at the root, and Hapala's climbs.
+    // Laine's short stack restarts at the root, and Hapala's traversal climbs.
     let steps = run("backtrack", "stack,laine-4,laine-0,hapala,skip");
     assert!(steps[0] < steps[1] && steps[1] < steps[2] && steps[4] < steps[3], "{steps:?}");
 }

@@ -20,7 +20,7 @@ fn a_case_runs_again() {
         let run = stackless("check -v --replay", &[&file]).passes();
         assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 1 method, 0 disagreements");
         assert!(run.stdout.lines().any(|line| line.split_whitespace().take(2).eq(["hashed", "u64"])), "{}", run.stdout);
-        // The caller's choice comes before that of the file.
+        // The option overrides the file.
         let run = stackless("check -v --method stack,afra,sparse --replay", &[&file]).passes();
         assert_eq!(run.first_line(), "pass: 1 tree, 0 rays, 3 methods, 0 disagreements");
         assert!(run.stdout.lines().any(|line| line.split_whitespace().take(2).eq(["afra", "u64"])), "{}", run.stdout);

@@ -1,4 +1,4 @@
-//! `stackless stats`: the figures fit together, and what the plan leaves out is told with its reason.
+//! `stackless stats`: the figures are consistent, and the plan has reasons for omitted parts.
 
 use serde_json::Value;
 use stackless_bvh::trace::Need;

@@ -65,7 +65,7 @@ fn cases_are_listed() {
     }
 }
 
-/// On ordinary rays, all levels hit the same triangles; only `exact`, which is the default, has all bits right.
+/// On ordinary rays, all levels hit equal triangles; only `exact`, the default, has all bits right.
 #[test]
 fn trace_has_all_levels() {
     let mesh = procedural::soup(1, 20_000);

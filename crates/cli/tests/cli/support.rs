@@ -1,4 +1,4 @@
-//! Running the command and looking at what it leaves behind.
+//! Runs of the command, and checks of its files.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -6,7 +6,7 @@ use std::process::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// What a run of the command ended with.
+/// The result of a run of the command.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) code: Option<i32>,
@@ -14,12 +14,12 @@ pub(crate) struct Run {
     pub(crate) stderr: String,
 }
 
-/// Runs `stackless` with these arguments, separated by white space, and these paths behind them.
+/// Runs `stackless` with these arguments, separated by white space, and then these paths.
 pub(crate) fn stackless(args: &str, paths: &[&Path]) -> Run {
     run(env!("CARGO_BIN_EXE_stackless"), args, paths)
 }
 
-/// Runs a program likewise.
+/// Runs another program like [`stackless`].
 pub(crate) fn run(program: &str, args: &str, paths: &[&Path]) -> Run {
     let mut command = Command::new(program);
     let output = command.args(args.split_whitespace()).args(paths).output().unwrap();
@@ -28,7 +28,7 @@ pub(crate) fn run(program: &str, args: &str, paths: &[&Path]) -> Run {
 }
 
 impl Run {
-    /// Ended well.
+    /// Expects success.
     #[track_caller]
     pub(crate) fn passes(self) -> Self {
         assert_eq!(self.code, Some(0), "{self:?}");
@@ -36,7 +36,7 @@ impl Run {
         self
     }
 
-    /// Refused its input: exit code 2, and one line of error that names all of `what`.
+    /// Expects refused input: exit code 2, and one line of error that contains all of `what`.
     #[track_caller]
     pub(crate) fn fails_naming(&self, what: &[&str]) {
         assert_eq!(self.code, Some(2), "{self:?}");
@@ -59,7 +59,7 @@ impl Run {
     }
 }
 
-/// A folder that goes away with the test.
+/// A folder that is removed with the test.
 pub(crate) struct Folder(TempDir);
 
 impl Folder {

@@ -1,4 +1,4 @@
-//! `stackless trace`: hits survive the file bit for bit, and are those of testing all triangles.
+//! `stackless trace`: hits in files are exact to the bit, and equal those of testing all triangles.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -15,7 +15,7 @@ use super::support::{Folder, data, stackless};
 fn ray_file(rays: &[Ray]) -> String {
     let mut text = "ox,oy,oz,dx,dy,dz,tmin,tmax\n".to_owned();
     for ray in rays {
-        // All digits, so that nothing is rounded.
+        // All digits, so that numbers are not rounded.
         for number in ray.origin().to_array().into_iter().chain(ray.direction().to_array()) {
             write!(text, "{number:.149},").unwrap();
         }
@@ -49,7 +49,7 @@ fn all_methods() -> impl Iterator<Item = &'static str> {
     Method::ALL.into_iter().map(Method::name).chain(wide::Method::ALL.into_iter().map(wide::Method::name))
 }
 
-/// Traces the rays by the command in single precision, with these further arguments.
+/// Traces the rays by the command in single precision, with additional arguments.
 pub(crate) fn trace(scene: &Path, rays: &[Ray], args: &str) -> Vec<Option<Hit>> {
     let folder = Folder::new();
     let (rays_file, out) = (folder.file("rays.csv", ray_file(rays)), folder.path("hits.csv"));
@@ -72,7 +72,7 @@ fn assert_true(mesh: &Mesh, scene: &Path, rays: &[Ray], methods: impl IntoIterat
         let any = trace(scene, rays, &format!("--query any --method {method}"));
         for ((ray, expected), found) in rays.iter().zip(&closest_hits).zip(&any) {
             assert_eq!(found.is_some(), expected.is_some(), "{method}: {ray:?}");
-            // Not the closest, but a hit of the triangle that it names.
+            // Not the closest hit, but a hit of the named triangle.
             if let Some(hit) = *found {
                 let all = truth.all(ray);
                 let own = all.iter().find(|own| own.prim == hit.prim).unwrap();
@@ -98,7 +98,7 @@ fn what_a_mesh_file_has_beyond_its_format_is_said() {
     }
 }
 
-/// A square and a triangle: the second of three triangles is still of the first face.
+/// A square and a triangle: the second of three triangles belongs to the first face.
 #[test]
 fn faces_are_numbered_as_in_the_file() {
     let folder = Folder::new();
@@ -213,7 +213,7 @@ fn polygons_fan_out_in_place() {
     }
 }
 
-/// Rays and hits in each format are the same; a degenerate triangle is told of, and one ray is one ray.
+/// Rays and hits are equal in each format; degenerate triangles are reported, and a single ray works.
 #[test]
 fn rays_and_hits_stand_in_every_format() {
     let folder = Folder::new();
@@ -258,8 +258,8 @@ fn rays_and_hits_stand_in_every_format() {
     }
 }
 
-/// Triangles of a tenth of a metre, as far from the origin as the earth's surface from its middle: single precision knows
-/// halves of a metre there.
+/// Triangles of a tenth of a metre, as far from the origin as the earth's surface from its centre. Single precision has
+/// steps of half a metre there.
 #[test]
 fn doubles_are_traced_as_they_are() {
     let folder = Folder::new();
@@ -277,7 +277,7 @@ fn doubles_are_traced_as_they_are() {
     let lines = vertices.iter().map(|v| format!("{:?} {:?} {:?}\n", v.x, v.y, v.z));
     let faces = triangles.iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n"));
     let scene = folder.file("far.ply", lines.chain(faces).fold(header, |text, line| text + &line));
-    // Through corners and inner points, from aside.
+    // Through corners and inner points, from the side.
     let rays: Vec<_> = (0..300)
         .map(|i| {
             let [a, b, c] = corners(i / 3);
@@ -305,7 +305,7 @@ fn doubles_are_traced_as_they_are() {
     assert!(single.stdout != expected && single.stderr.contains("rounded to single precision"), "{single:?}");
 }
 
-/// The same two triangles as files of all kinds: STL shares its vertices, and a glTF node moves its mesh.
+/// Two equal triangles as files of all kinds: STL shares its vertices, and a glTF node moves its mesh.
 #[test]
 fn scenes_are_read_from_stl_and_gltf() {
     let folder = Folder::new();

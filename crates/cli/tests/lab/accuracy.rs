@@ -1,4 +1,4 @@
-//! `lab accuracy`: all pairs of tests are there, the exact ones do not err, and files say what is counted.
+//! `lab accuracy`: all pairs of tests are measured, exact pairs do not err, and files have the counts.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -16,7 +16,7 @@ fn is_exact(row: &Value) -> bool {
     row["kernel"].as_str().unwrap().starts_with("exact") && row["box"] == "directed"
 }
 
-/// Sum of a number over the rows that are chosen.
+/// Sum of a number over the chosen rows.
 fn sum(rows: &[Value], name: &str, choose: impl Fn(&Value) -> bool) -> u64 {
     rows.iter().filter(|row| choose(row)).filter_map(|row| row[name].as_u64()).sum()
 }
@@ -44,7 +44,7 @@ fn a_mesh_is_timed_and_judged() {
     for row in rows {
         let (rays, hits) = (row["rays"].as_u64().unwrap(), row["hits"].as_u64().unwrap());
         assert_eq!(row["scene"], "cube");
-        // From outside of a cube nothing bounces back to it.
+        // No ray bounces back to a cube from outside.
         let leaves = row["kind"] == "ordinary" && row["set"] != "primary";
         assert!((0 < hits) != leaves && hits <= rays && rays <= 500, "{row}");
         assert_eq!(row["kind"] == "adversarial", row["set"].as_str().unwrap().starts_with("aimed"), "{row}");
@@ -58,7 +58,7 @@ fn a_mesh_is_timed_and_judged() {
             assert_eq!(row["max_ulp"].as_u64().unwrap_or(0), 0, "{row}");
         }
     }
-    // What is not exact does err: the judge is not blind.
+    // Inexact tests do err, so the judge detects errors.
     for name in &ERRORS[..4] {
         assert!(sum(rows, name, |row| !is_exact(row)) > 0, "{name}");
     }
@@ -117,7 +117,7 @@ fn closed_spheres_leak_unless_the_tests_are_exact() {
     assert!(run.stdout.contains("leaks"), "{}", run.stdout);
 }
 
-/// A rounded point is on the wrong side of its triangle in many places, the exact one in none.
+/// Rounded points are often on the wrong side of their triangle, exact points never.
 #[test]
 fn rays_from_surfaces_begin_at_the_exact_point() {
     let folder = Folder::new();
@@ -152,7 +152,7 @@ fn what_cannot_be_measured() {
     lab("accuracy soup spheres --secondary", &[]).fails_naming(&["--secondary", "spheres"]);
     lab("accuracy soup strands --secondary --picture", &[&folder.path("picture.png")])
         .fails_naming(&["--picture", "one scene"]);
-    // A good scene before the bad one is not begun with.
+    // The good scene is not measured before the bad scene fails.
     let run = lab("accuracy soup --plot", &[&svg, &folder.path("missing.ply")]);
     run.fails_naming(&["missing.ply", "cannot be read"]);
     lab("accuracy spheres --plot", &[&svg]).fails_naming(&["--plot", "spheres"]);

@@ -1,4 +1,4 @@
-//! What `lab` lets be chosen of `check`, `stress`, `explain`, `bench` and figures.
+//! The additional options of `lab` for `check`, `stress`, `explain`, `bench` and figures.
 
 use std::path::Path;
 
@@ -63,12 +63,12 @@ fn a_comb_of_depth_100_000() {
             run.fails_naming(&["the tree is 100000 edges deep", &limit]);
         }
     }
-    // What needs no word runs; what was refused is said.
+    // Traversals without words run; refusals are printed.
     let run = lab(&format!("{COMB} --word u32 --method stack,sparse"), &[]).passes();
     assert!(run.stdout.contains("refused before the first step, e.g. sparse u32: the tree is 100000 edges deep"));
 }
 
-/// So far from the origin that single precision has half a unit there.
+/// Single precision has half a unit there.
 #[test]
 fn scenes_are_moved() {
     let cube = data("cube.ply");
@@ -77,7 +77,7 @@ fn scenes_are_moved() {
         let run = lab(&args, &[&cube]).passes();
         assert_eq!(run.first_line(), "pass: 3 trees, 180 rays, 2 methods, 0 disagreements");
     }
-    // So far that all corners are one, which is said.
+    // So far away that all corners coincide, which is printed.
     let run = lab("check --count 60 --method stack --double --moved 1e20,1e20,1e20", &[&cube]);
     assert_eq!(run.code, Some(0), "{run:?}");
     assert!(run.stderr.contains("cube: 12 of 12 triangles have no area: rays miss them"), "{run:?}");

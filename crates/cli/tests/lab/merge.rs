@@ -7,14 +7,14 @@ use serde_json::Value;
 use super::lab;
 use super::support::{Folder, data, read_json};
 
-/// All that is in a record but the time it took.
+/// The content of a record, without times.
 fn counts(path: &Path) -> Value {
     let mut record = read_json(path);
     assert!(record["run"].as_object_mut().unwrap().remove("machines").is_some());
     record
 }
 
-/// The parts add up to a whole of one part: without parts, times are measured too.
+/// The parts add up to a whole of one part. Without --shard, times are also measured.
 fn assert_counts_cut(args: &str, scenes: &[&Path], cuts: &[u32]) {
     let folder = Folder::new();
     let [whole, sum] = ["whole.json", "sum.json"].map(|name| folder.path(name));
@@ -41,7 +41,7 @@ fn parts_add_up() {
     let both = [data("cube.ply"), data("cube.obj")];
     let both: Vec<_> = both.iter().map(std::path::PathBuf::as_path).collect();
     assert_counts_cut("accuracy --count 100 --seed 3", &both, &[7, 64]);
-    // More rays than are aimed in a block.
+    // More rays than in a block.
     assert_counts_cut("accuracy --count 5000", &both[..1], &[3]);
     assert_counts_cut("accuracy --secondary --count 400", &[Path::new("soup")], &[7, 64]);
     assert_counts_cut("accuracy spheres --count 20", &[], &[2]);
@@ -80,7 +80,7 @@ fn parts_of_accuracy_have_no_times() {
         for name in ["ratio", "ns_per_ray", "mean_ulp", "p999_ulp"] {
             assert!(part[name].is_null(), "{name}: {part}");
         }
-        // All rays are judged in both.
+        // All rays are judged in each run.
         for name in ["scene", "set", "kernel", "box", "rays", "hits", "false_misses", "wrong_primitives", "max_ulp"] {
             assert_eq!(part[name], whole[name], "{name}");
         }

@@ -1,4 +1,4 @@
-//! `lab parts`: what is left out is told with its reason, and a small state saves visits.
+//! `lab parts`: omitted parts have reasons, and a small state saves visits.
 
 use serde_json::Value;
 
@@ -70,7 +70,7 @@ fn what_a_small_state_saves_is_counted() {
             ["nothing is pruned", "disjoint intervals", "stored distances"].map(|way| nodes(query, way));
         assert!(none > disjoint && disjoint >= stored && stored > 1.0, "{none} {disjoint} {stored}");
     }
-    // By the traversal of the library and by that of the paths: the same rays, the same visits.
+    // The traversal of the library and the traversal of the paths have equal visits on equal rays.
     assert_eq!(nodes("closest, diffuse", "nothing is pruned"), nodes("closest, diffuse", "from the root"));
     for query in ["closest, diffuse", "any, diffuse"] {
         assert!(nodes(query, "from the last hit") > 1.0);

@@ -1,4 +1,4 @@
-//! Closed spheres, seen from inside: every ray must hit.
+//! Closed spheres, seen from inside. Every ray must hit.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -15,18 +15,18 @@ use crate::judge::{Query, csv_line};
 use crate::output::bar;
 use crate::record::Numbered;
 
-/// Radius and offset of each sphere, of 81,920 triangles. Where the offset is great against the radius, most corners
-/// fall together; the sphere is closed all the same.
+/// Radius and offset of each sphere, of 81,920 triangles. If the offset is much greater than the radius, most corners
+/// coincide, but the sphere remains closed.
 const SPHERES: [(f32, f32); 6] = [(1.0, 0.0), (1.0, 1e3), (1.0, 1e6), (100.0, 0.0), (100.0, 1e3), (100.0, 1e6)];
 const LEVEL: u32 = 6;
 
-/// Where the rays start, in radii from the middle.
+/// Origins of the rays, in radii from the centre.
 const ORIGINS: [Vec3; 4] =
     [Vec3::ZERO, Vec3::new(0.3, -0.2, 0.1), Vec3::new(-0.5, 0.5, 0.25), Vec3::new(0.7, 0.3, -0.55)];
 
-/// Aims at this share of the corners and middles of edges of each sphere: a ray that truly hits and is said not to is a
-/// leak. (All should hit, but an origin may be rounded to the outside, if a sphere has hardly any room left.) `part` says
-/// which of the rays at a sphere are asked, of so many.
+/// Aims at this share of the corners and midpoints of edges of each sphere. A leak is a ray that truly hits, but that a
+/// pair misses. (An origin may be rounded to the outside of a tiny sphere, so the truth decides.) `part` selects the
+/// rays of a sphere, given their number.
 pub(super) fn count(
     pairs: &[Pair],
     share: f64,
@@ -42,8 +42,8 @@ pub(super) fn count(
         rays.truncate(numbers.end as usize);
         rays.drain(..numbers.start as usize);
         let progress = bar(rays.len() as u64, &name);
-        // Bit p of a ray's is set if pair p has it miss, and the last if it truly hits. The truth is only asked where
-        // somebody has seen a miss.
+        // Bit p is set if pair p misses, and the last bit if the ray truly hits. Only rays that some pair misses need
+        // the truth.
         let missed = |memory: &mut Vec<_>, ray: &Ray| {
             let misses = |pair: &Pair| pair.answer(Query::Closest, &trees, ray, memory).is_none();
             let mut bits =
@@ -72,7 +72,7 @@ pub(super) fn count(
     Ok(rows)
 }
 
-/// From each origin at each corner and at the middle of each edge, as near as single precision has them.
+/// Rays from each origin to each corner and to the midpoint of each edge, rounded to single precision.
 fn rays(mesh: &Mesh, radius: f32, offset: f32, share: f64) -> Vec<Ray> {
     let mut edges = HashSet::new();
     let middles = mesh.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).filter_map(|[a, b]| {

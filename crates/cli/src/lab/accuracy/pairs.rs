@@ -1,4 +1,4 @@
-//! The pairs of tests, each with its searches compiled for it.
+//! The pairs of tests, each with its searches.
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
@@ -20,18 +20,18 @@ pub(super) struct Pair {
     any: Searches,
 }
 
-/// One query with the tests of a pair.
+/// The searches of a query with the tests of a pair.
 struct Searches {
     trace: fn(&Trees, &[Ray], &mut Vec<Node>) -> u64,
     answer: fn(&Trees, &Ray, &mut Vec<Node>) -> Answer,
     answers: fn(&Trees, &Ray, &mut Vec<Node>) -> [Answer; 3],
 }
 
-/// What the others' times are compared with.
+/// The baseline of the times.
 pub(super) const BASELINE: (KernelName, SlabsName) = (KernelName::Moller32, SlabsName::Plain);
 
 impl Pair {
-    /// All of them.
+    /// All pairs.
     pub(super) fn all() -> Vec<Self> {
         let pairs = KernelName::ALL.into_iter().flat_map(|kernel| SlabsName::ALL.map(|slabs| (kernel, slabs)));
         pairs.map(|tests| trace::with_tests(tests, MakePair(tests))).collect()
@@ -44,37 +44,37 @@ impl Pair {
         }
     }
 
-    /// Traces rays over the tree by surface area, and sums up something of their hits.
+    /// Traces rays over the tree by surface area, and returns a checksum of their hits.
     pub(super) fn trace(&self, query: Query, trees: &Trees, rays: &[Ray], memory: &mut Vec<Node>) -> u64 {
         (self.searches(query).trace)(trees, rays, memory)
     }
 
-    /// The answer over the tree by surface area, the nearer child first.
+    /// The answer over the tree by surface area, nearer child first.
     pub(super) fn answer(&self, query: Query, trees: &Trees, ray: &Ray, memory: &mut Vec<Node>) -> Answer {
         (self.searches(query).answer)(trees, ray, memory)
     }
 
-    /// [`answer`](Self::answer), then that of the left child first, then that over the tree by medians.
+    /// [`answer`](Self::answer), then the answer with the left child first, then the answer over the tree by medians.
     pub(super) fn answers(&self, query: Query, trees: &Trees, ray: &Ray, memory: &mut Vec<Node>) -> [Answer; 3] {
         (self.searches(query).answers)(trees, ray, memory)
     }
 
-    /// Whether this is what the ratios are to.
+    /// Whether this pair is the baseline of the ratios.
     pub(super) fn is_baseline(&self) -> bool {
         (self.kernel, self.slabs) == BASELINE
     }
 
-    /// Whether every answer must be the true one.
+    /// Whether every answer must be true.
     pub(super) fn is_exact(&self) -> bool {
         Self::promises((self.kernel, self.slabs))
     }
 
-    /// Whether every answer of these tests must be the true one.
+    /// Whether every answer with these tests must be true.
     pub(super) fn promises((kernel, slabs): (KernelName, SlabsName)) -> bool {
         matches!(kernel, KernelName::Exact | KernelName::ExactFromSingle) && slabs == SlabsName::Directed
     }
 
-    /// The level of accuracy that this pair stands for.
+    /// The level of accuracy of this pair.
     pub(super) fn level(&self) -> Option<Accuracy> {
         Accuracy::ALL.into_iter().find(|level| level.tests() == (self.kernel, self.slabs))
     }
@@ -97,11 +97,11 @@ impl Searches {
     }
 }
 
-/// The trees over a mesh, in the forms that kernels want.
+/// The trees over a mesh, in the formats of all kernels.
 pub(super) struct Trees {
     area: KernelBvhs,
     median: KernelBvhs,
-    /// Of the tree by surface area.
+    /// Own boxes of the tree by surface area.
     boxes: Vec<Aabb>,
 }
 

@@ -1,4 +1,4 @@
-//! The counts, as they are written to files.
+//! The counts, as written to files.
 
 use super::pairs::Pair;
 use super::timing::Time;
@@ -6,19 +6,19 @@ use crate::judge::Counts;
 use crate::record::{Numbered, Run, expect};
 use serde::{Deserialize, Serialize};
 
-/// What a set of rays is for.
+/// The kind of a set of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(super) enum Kind {
-    /// What renderers trace.
+    /// Typical rays of a renderer.
     Ordinary,
-    /// Aimed at what rounding gets wrong.
+    /// Rays aimed at places where rounding errs.
     Adversarial,
-    /// From inside of a closed mesh: every ray hits.
+    /// Rays from inside of a closed mesh: every ray hits.
     Closed,
 }
 
-/// A pair of tests on one set of rays through one scene. What was not asked is `None`.
+/// A pair of tests on one set of rays through one scene. Counts that were not measured are `None`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Row {
     pub(super) scene: String,
@@ -101,17 +101,17 @@ impl Row {
         }
     }
 
-    /// Without what does not add up: times, and quantiles and means of errors.
+    /// Drops figures that do not add up: times, quantiles and means.
     pub(super) fn counts_alone(self) -> Self {
         Self { p999_ulp: None, mean_ulp: None, timed_rays: None, ns_per_ray: None, mrays: None, ratio: None, ..self }
     }
 
-    /// Refuses counts that do not fit the parts of the run, or one another.
+    /// Refuses counts that contradict the parts of the run or each other.
     pub(super) fn check(&self, run: &Run) -> Result<(), String> {
         let expect = |what, number, within| {
             expect(&format!("{}, {}, {}, {}: {what}", self.scene, self.set, self.kernel, self.slabs), number, within)
         };
-        // The parts of a sphere bear its name.
+        // Parts of a sphere have its name.
         let of_sphere = run.done(|name| name == self.scene);
         let rays = if run.parts.contains_key(&self.scene) {
             of_sphere..=of_sphere
@@ -126,7 +126,7 @@ impl Row {
         expect("leaks", self.leaks.unwrap_or(0), 0..=self.misses.unwrap_or(0))
     }
 
-    /// Adds what another part has counted of the same.
+    /// Adds the counts of another part.
     pub(super) fn add(&mut self, other: Self) {
         let sum = |mine: &mut Option<u64>, other: Option<u64>| {
             *mine = mine.map_or(other, |mine| Some(mine.saturating_add(other.unwrap_or(0))));
@@ -143,26 +143,26 @@ impl Row {
         self.offence = Numbered::first(self.offence.take(), other.offence);
     }
 
-    /// Whether it is about the same tests and rays.
+    /// Whether both rows have the tests and rays in common.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         (&self.scene, &self.set) == (&other.scene, &other.set)
             && (&self.kernel, &self.slabs) == (&other.kernel, &other.slabs)
     }
 
-    /// Whether every answer must be the true one.
+    /// Whether every answer must be true.
     pub(super) fn is_exact(&self) -> bool {
         let tests = self.kernel.parse().ok().zip(self.slabs.parse().ok());
         tests.is_some_and(|(kernel, slabs)| Pair::promises((kernel, slabs)))
     }
 
-    /// Wrong answers, and 1 for a wrong distance.
+    /// Number of wrong answers, plus 1 if a distance is wrong.
     pub(super) fn errors(&self) -> u64 {
         let counts = [self.false_misses, self.false_hits, self.wrong_primitives, self.order_differences, self.leaks];
         let wrong = counts.into_iter().flatten().fold(0, u64::saturating_add);
         wrong.saturating_add(u64::from(self.max_ulp > Some(0)))
     }
 
-    /// `misses` counts the leaks, and the rays that truly miss.
+    /// Sets the leaks. `misses` counts the leaks and the rays that truly miss.
     pub(super) fn leaked(self, rays: u64, leaks: u64, misses: u64) -> Self {
         Self { rays, leaks: Some(leaks), misses: Some(misses), ..self }
     }

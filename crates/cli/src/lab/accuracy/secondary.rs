@@ -1,4 +1,4 @@
-//! Rays from where others hit: what is wrong when they do not begin exactly there.
+//! Rays from hits: the errors of start points that are not exact.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -24,25 +24,25 @@ use crate::record::Numbered;
 use crate::render::heat_maps;
 use crate::turns::{median_ratio, take_turns};
 
-/// How far the rays go, in diagonals of the scene.
+/// The length of the rays, in diagonals of the scene.
 const REACH: f32 = 0.1;
 
-/// The least distance of a ray that begins at floats: what is met at 0 does not count, as in other ray tracers.
+/// The minimum distance of rays that start at rounded points. Hits at 0 do not count, as in other ray tracers.
 const POSITIVE: f32 = f32::from_bits(1);
 
-/// Rays that are timed at once.
+/// Number of rays in a chunk.
 const CHUNK: usize = 4096;
 
-/// Where a ray begins, in floats.
+/// The start point of a ray, in floats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Start {
-    /// At the origin plus the rounded distance times the direction.
+    /// The origin plus the rounded distance times the direction.
     Rounded,
-    /// There, from a hundred-thousandth of the scene's diagonal on.
+    /// The rounded point, with a minimum distance of a hundred-thousandth of the scene's diagonal.
     Epsilon,
-    /// Moved along the normal by some hundred units in the last place (Wächter & Binder 2019).
+    /// Moved along the normal by some hundred ulps (Wächter & Binder 2019).
     Ulp,
-    /// Moved along the normal by a bound of how far from the plane the point is (after Pharr, Jakob & Humphreys 2023,
+    /// Moved along the normal by a bound of the point's distance from the plane (after Pharr, Jakob & Humphreys 2023,
     /// Section 6.8).
     Bounded,
 }
@@ -99,20 +99,20 @@ impl Start {
     }
 }
 
-/// A ray that hits, and one that goes on from there.
+/// A ray with a hit, and a ray that continues from the hit.
 struct Bounce {
     pixel: usize,
     primary: Ray,
     hit: Hit,
     corners: [Vec3; 3],
-    /// Of unit length, towards where the ray came from.
+    /// Unit normal, on the side of the ray's origin.
     normal: Vec3,
     direction: Vec3,
     tmax: f32,
 }
 
 impl Bounce {
-    /// Whether something is in the way, exactly; and the exact point.
+    /// Whether the ray is blocked, exactly; and the exact point.
     fn is_blocked(&self, tracer: &InstanceTracer) -> Option<(bool, ExactPoint)> {
         let point = ExactPoint::met(&self.primary, &Triangle(self.corners))?;
         let ray = point.ray(self.direction, self.tmax, Ends::Open).ok()?;
@@ -120,18 +120,18 @@ impl Bounce {
     }
 }
 
-/// The way to begin that promises no errors.
+/// The start point that promises no errors.
 pub(super) const EXACT: &str = "exact point";
 
-/// What one way to begin gets wrong.
+/// The errors of one kind of start point.
 #[derive(Serialize, Deserialize)]
 pub(super) struct SecondaryRow {
     pub(super) scene: String,
     pub(super) start: String,
     pub(super) rays: u64,
-    /// In shadow, and should not be.
+    /// Wrongly in shadow.
     false_shadows: u64,
-    /// Lit, and should not be.
+    /// Wrongly lit.
     false_light: u64,
     /// The first error of [`EXACT`], with the number of its pixel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -183,7 +183,7 @@ pub(super) fn run(args: &Args, scenes: &[Scene]) -> Outcome {
     run.finish(found, args.json.as_deref())
 }
 
-/// A row for each start, and one for exact points.
+/// A row for each start point, and a row for exact points.
 fn compare(
     args: &Args,
     scene: &Scene,
@@ -196,9 +196,9 @@ fn compare(
     let wide = Tracer::new(Arc::clone(&tree));
     let epsilon = bvh.bounds().extent().length() * 1e-5;
     let bounces = bounces(scene, &wide, bvh.bounds().extent().length() * REACH, pixels, side, args);
-    // A part of an image may be empty.
+    // A part of an image may have no hits.
     if bounces.is_empty() && args.shard.is_none() {
-        return Err(format!("{}: no ray of the camera hits", scene.name).into());
+        return Err(format!("{}: no camera ray hits", scene.name).into());
     }
     let mut assembly = Assembly::new();
     let objects = [assembly.add_wide(tree), assembly.add_mesh(bvh.clone())];
@@ -207,7 +207,7 @@ fn compare(
     let blocked = |bounce: &Bounce| {
         bounce
             .is_blocked(&exact[0])
-            .ok_or_else(|| format!("{}: pixel {}: a hit that is none", scene.name, bounce.pixel))
+            .ok_or_else(|| format!("{}: pixel {}: the exact ray misses the hit", scene.name, bounce.pixel))
     };
     let (answers, points): (Vec<_>, Vec<_>) =
         bounces.par_iter().map(blocked).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
@@ -252,7 +252,7 @@ fn compare(
     Ok(rows)
 }
 
-/// From each hit of the camera's rays, one that goes on in a direction of the cosine distribution.
+/// A ray from each hit of the camera rays, with the cosine distribution.
 fn bounces(
     scene: &Scene,
     tracer: &Tracer<Arc<WideBvh>>,
@@ -277,7 +277,7 @@ fn bounces(
     pixels.into_par_iter().filter_map(bounce).collect()
 }
 
-/// Whether something is in the way, by rational arithmetic.
+/// Whether rays are blocked, by rational arithmetic.
 fn judge(mesh: &Mesh, bounces: &[Bounce], points: &[ExactPoint], name: &str) -> Vec<bool> {
     let truth = Truth::new(mesh);
     let progress = bar(bounces.len() as u64, &format!("{name}, truth"));
@@ -290,8 +290,8 @@ fn judge(mesh: &Mesh, bounces: &[Bounce], points: &[ExactPoint], name: &str) -> 
     found
 }
 
-/// Says how long exact rays take, from the hit on, in ratios to those that begin at floats: through wide trees and
-/// through binary ones.
+/// Prints the time of exact rays from the hit on, relative to rays from rounded points: through wide and through binary
+/// trees.
 fn time(
     bounces: &[Bounce],
     epsilon: f32,

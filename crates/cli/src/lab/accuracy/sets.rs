@@ -1,4 +1,4 @@
-//! The rays that are timed and judged.
+//! The timed and judged rays.
 
 use std::ops::Range;
 
@@ -25,7 +25,7 @@ pub(super) struct Set {
     pub(super) rays: Vec<Ray>,
 }
 
-/// All sets, of each the rays with these numbers of `of`; of those that are aimed, the ones below `aimed`.
+/// All sets: from each set, the rays with these numbers of `of`; adversarial rays only below `aimed`.
 pub(super) fn sets(
     scene: &Scene,
     view: &View,
@@ -61,7 +61,7 @@ pub(super) fn sets(
     ]
 }
 
-/// What is random about the bounce of a camera's ray: it depends on the ray's number alone.
+/// The random numbers of a bounce. They depend only on the number of the camera ray.
 pub(super) fn rng_of(seed: u64, number: u64) -> Rng {
     Rng::new(seed ^ Rng::new(number).bits())
 }

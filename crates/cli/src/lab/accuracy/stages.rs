@@ -1,4 +1,4 @@
-//! How far the exact test has to go.
+//! The stages of the exact test.
 
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
@@ -9,7 +9,7 @@ use stackless_bvh::trace::Closest;
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_bvh::tree::Node;
 
-/// How many triangle tests of closest-hit queries, and how many rays, needed which stage.
+/// Number of triangle tests of closest-hit queries, and of rays, that needed each stage.
 pub(super) struct Stages {
     pub(super) scene: String,
     pub(super) set: &'static str,
@@ -17,7 +17,7 @@ pub(super) struct Stages {
     pub(super) rays: Reached,
 }
 
-/// How many there are, and how many went as far as to a stage or further.
+/// The total number, and the numbers that reached each stage.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Reached {
     pub(super) all: u64,

@@ -1,4 +1,4 @@
-//! What is printed, and the picture.
+//! Tables and the chart.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::turns::geometric_mean;
 /// All rows of a pair of tests.
 struct Summary<'a>(Vec<&'a Row>);
 
-/// A kind of error: its name and its number in a row.
+/// A kind of error: its name and its count in a row.
 type Event = (&'static str, fn(&Row) -> Option<u64>);
 
 const EVENTS: [Event; 5] = [
@@ -25,7 +25,7 @@ const EVENTS: [Event; 5] = [
     ("leaks", |row| row.leaks),
 ];
 
-/// Ordinary rays on one side; on the other those that are made to be hard, with the leaks.
+/// Ordinary rays; adversarial rays, with leaks.
 const SIDES: [(&str, &[Kind], &[Event]); 2] = [
     ("ordinary rays", &[Kind::Ordinary], EVENTS.split_at(4).0),
     ("adversarial rays", &[Kind::Adversarial, Kind::Closed], &EVENTS),
@@ -48,7 +48,7 @@ pub(super) fn blocks(rows: &[Row], stages: &[Stages]) -> Vec<Block> {
     blocks
 }
 
-/// The same as two charts, as SVG.
+/// The figures as two charts, as SVG.
 pub(super) fn plot(rows: &[Row]) -> String {
     let summaries = summaries(rows);
     let charts = SIDES.map(|(name, kinds, events)| {
@@ -80,8 +80,8 @@ fn side(summaries: &[Summary<'_>], name: &str, kinds: &[Kind], events: &[Event])
         let star = choice.is_some() && on_front.next() == Some(true);
         summary.cells(kinds, events, star)
     });
-    let caption = "time of these rays; errors in 10^9 rays, the most of any scene; `<`: none was seen (95 %). *: nobody is \
-                   faster and errs less";
+    let caption = "time of these rays; errors in 10^9 rays, the maximum of all scenes; `<`: no error, upper bound (95 %). \
+                   *: no pair is both faster and more accurate";
     [Block::Line(format!("{name}: {caption}")), Block::Table(table(&header, 4, lines.collect()))]
 }
 
@@ -94,14 +94,14 @@ impl Summary<'_> {
         self.0.iter().copied().filter(move |row| kinds.contains(&row.kind))
     }
 
-    /// Geometric mean of the time over scenes and sets, its greatest, and the geometric mean of the throughput.
+    /// Geometric mean of the time over scenes and sets, its maximum, and the geometric mean of the throughput.
     fn time(&self, kinds: &[Kind]) -> Option<[f64; 3]> {
         let mean = |of: fn(&Row) -> Option<f64>| geometric_mean(self.rows(kinds).filter_map(of));
         let most = self.rows(kinds).filter_map(|row| row.ratio).reduce(f64::max)?;
         Some([mean(|row| row.ratio)?, most, mean(|row| row.mrays)?])
     }
 
-    /// How often a kind of error happens: in the scene where it happens most.
+    /// The rate of a kind of error, in the scene where it is highest.
     fn errors(&self, kinds: &[Kind], event: Event) -> Option<Errors> {
         let mut scenes = BTreeMap::<&str, [u64; 2]>::new();
         for row in self.rows(kinds).filter(|row| row.rays > 0) {
@@ -118,7 +118,7 @@ impl Summary<'_> {
         }
     }
 
-    /// The most frequent kind of error; of kinds that never happen, the one that is known least well.
+    /// The most frequent kind of error; without errors, the kind with the highest bound.
     fn choice(&self, kinds: &[Kind], events: &[Event]) -> Option<Choice> {
         let (kernel, slabs) = self.pair()?;
         let all: Vec<_> = events.iter().filter_map(|&event| self.errors(kinds, event)).collect();
@@ -175,7 +175,7 @@ fn levels(rows: &[Row]) -> Table {
     table(&header.collect::<Vec<_>>(), 2, lines)
 }
 
-/// How often the exact test needed more than its first stage.
+/// How often the exact test needed later stages.
 fn stage_table(stages: &[Stages]) -> Table {
     let shares = |Reached { all, triangle, sums }: Reached| {
         [triangle, sums].map(|count| format!("{:.2e}", count as f64 / all.max(1) as f64))

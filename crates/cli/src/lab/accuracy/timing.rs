@@ -1,4 +1,4 @@
-//! Times of the pairs, in turns.
+//! Interleaved timing of the pairs.
 
 use std::hint::black_box;
 
@@ -8,17 +8,17 @@ use super::pairs::{Pair, Trees};
 use crate::judge::Query;
 use crate::turns::{median, median_ratio, take_turns};
 
-/// What a pair takes for the rays of a set.
+/// The time of a pair for the rays of a set.
 pub(super) struct Time {
-    /// Rays that were timed.
+    /// Number of timed rays.
     pub(super) rays: u64,
-    /// For one ray: the median over the chunks.
+    /// Per ray: the median over the chunks.
     pub(super) nanoseconds: f64,
-    /// To the baseline: the median over the chunks.
+    /// Relative to the baseline: the median over the chunks.
     pub(super) ratio: f64,
 }
 
-/// Rays that are timed before it is another pair's turn: some milliseconds, so that few chunks are interrupted.
+/// Number of rays in a turn: some milliseconds, so that few turns are interrupted.
 const CHUNK: usize = 2048;
 
 /// Times all pairs.

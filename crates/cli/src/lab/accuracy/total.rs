@@ -1,4 +1,4 @@
-//! What `lab accuracy` counts, in the records of runs and of their parts.
+//! The counts of `lab accuracy`, in records of runs and of parts.
 
 use serde::{Deserialize, Serialize};
 use stackless_bvh::trace::Accuracy;
@@ -10,7 +10,7 @@ use super::tables;
 use crate::output::{self, Block, count, say, table};
 use crate::record::{Counts, Run, add_rows, expect};
 
-/// What was measured.
+/// Results of the measurement.
 #[derive(Default, Serialize, Deserialize)]
 pub(crate) struct Found {
     pub(super) rows: Vec<Row>,
@@ -27,7 +27,7 @@ impl Found {
         notes.chain(tables::blocks(&self.rows, &self.stages)).collect()
     }
 
-    /// Time against error, as SVG.
+    /// Draws time against error, as SVG.
     pub(super) fn plot(&self) -> String {
         tables::plot(&self.rows)
     }
@@ -60,7 +60,7 @@ impl Counts for Found {
         output::print(&self.blocks());
     }
 
-    /// Those of exact tests. All pairs have the same rays.
+    /// The counts of exact tests. All pairs have equal rays.
     fn cases_and_errors(&self) -> [u64; 2] {
         let exact = self.rows.iter().filter(|row| row.level.as_deref() == Some(Accuracy::Exact.name()));
         let held = self.rows.iter().filter(|row| row.is_exact());
@@ -72,7 +72,7 @@ impl Counts for Found {
     }
 }
 
-/// What was found of rays from surfaces.
+/// Results for rays from surfaces.
 #[derive(Default, Serialize, Deserialize)]
 pub(crate) struct SecondaryFound {
     pub(super) rows: Vec<SecondaryRow>,
@@ -103,11 +103,11 @@ impl Counts for SecondaryFound {
         for offence in self.rows.iter().filter_map(|row| row.offence.as_ref()) {
             say!("{}", offence.found);
         }
-        let header = ["scene", "begins at", "rays", "false shadows", "false light"];
+        let header = ["scene", "start", "rays", "false shadows", "false light"];
         say!("{}", table(&header, 2, self.rows.iter().map(SecondaryRow::cells).collect()));
     }
 
-    /// Those of exact points.
+    /// The counts of exact points.
     fn cases_and_errors(&self) -> [u64; 2] {
         let exact = self.rows.iter().filter(|row| row.start == EXACT);
         exact.fold([0_u64; 2], |sum, row| [sum[0].saturating_add(row.rays), sum[1].saturating_add(row.wrong())])

@@ -1,4 +1,4 @@
-//! What a scene does not need, and what that saves.
+//! The parts that a scene does not need, and the savings of omitting them.
 
 use std::hint::black_box;
 
@@ -18,23 +18,23 @@ pub(super) struct Row {
     part: &'static str,
     skipped: bool,
     reason: String,
-    /// Bytes that the part takes.
+    /// Bytes of the part.
     saved_bytes: Option<usize>,
-    /// Time with the part, where it is left out, to the time without it.
+    /// For an omitted part: the time including the part, relative to the time without it.
     time_ratio: Option<f64>,
 }
 
 const CHUNK: usize = 2048;
 const ROUNDS: usize = 5;
 
-/// The decisions for any-hit and closest-hit queries by `hashed`, each measured, and all together. The answers of all
-/// must be the same; the one that differs is the error.
+/// Measures the decisions for any-hit and closest-hit queries by `hashed`, one by one and together. Fails if answers
+/// differ.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let bounced = trace::bounce(mesh, bvh, rays, 1);
     let mut rows = Vec::new();
     for (query, ask, rays) in [("any hit", QueryKind::Any, &*bounced), ("closest hit", QueryKind::Distance, rays)] {
         let lean = Plan::new(bvh, Method::Hashed, ask);
-        // These queries never watch for repeats, so there is nothing to put back.
+        // These queries never check for repeats, so that part has no cost.
         let is_measured = |part: &Part| lean.skips(*part) && *part != Part::Repeats;
         let parts: Vec<_> = Part::ALL.into_iter().filter(is_measured).collect();
         let plans = parts.iter().map(|&part| lean.clone().with(part));
@@ -47,7 +47,7 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, 
         let setups: Vec<_> = setups.collect::<Result<_, _>>()?;
         if let Some(i) = (1..setups.len()).find(|&i| setups[i].answers(rays) != setups[0].answers(rays)) {
             let what = parts.get(i - 1).map_or("everything", |part| part.name());
-            return Err(format!("{query}: the answers with {what} differ from those without").into());
+            return Err(format!("{query}: answers with {what} differ from answers without {what}").into());
         }
         let times = take_turns(setups.len(), rays.len(), CHUNK, ROUNDS, query, |i, chunk| {
             black_box(setups[i].answers(&rays[chunk]));
@@ -63,7 +63,7 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, 
             rows.push(Row { query, part, skipped, reason, saved_bytes, time_ratio });
         }
         let (saved_bytes, time_ratio) = saved(setups.len() - 1);
-        let reason = format!("{} bytes are needed besides the tree", grouped(setups[0].tracer.bytes() as u64));
+        let reason = format!("{} bytes are needed in addition to the tree", grouped(setups[0].tracer.bytes() as u64));
         rows.push(Row { query, part: "everything above", skipped: true, reason, saved_bytes, time_ratio });
     }
     Ok(rows)
@@ -73,7 +73,7 @@ pub(super) fn to_table(rows: &[Row]) -> Table {
     let cells = |row: &Row| {
         let saved = row.saved_bytes.map_or_else(|| "-".to_owned(), |bytes| grouped(bytes as u64));
         let ratio = row.time_ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.3}"));
-        let choice = if row.skipped { "left out" } else { "needed" };
+        let choice = if row.skipped { "omitted" } else { "needed" };
         let names = [row.query, row.part, choice, &row.reason].map(str::to_owned);
         names.into_iter().chain([saved, ratio]).collect()
     };
@@ -84,9 +84,9 @@ pub(super) fn to_table(rows: &[Row]) -> Table {
 /// A tracer by a plan.
 struct Setup<'a> {
     tracer: BinaryTracer<&'a Bvh>,
-    /// Whether which triangle is hit is asked.
+    /// Whether the query returns the triangle.
     names_triangle: bool,
-    /// Of hierarchy and tables.
+    /// Bytes of hierarchy and tables.
     bytes: usize,
 }
 
@@ -97,7 +97,7 @@ impl<'a> Setup<'a> {
         Ok(Self { tracer, names_triangle: plan.ask() != QueryKind::Any, bytes })
     }
 
-    /// What is asked for, of what the tracer says.
+    /// The requested part of each answer.
     fn answers(&self, rays: &[Ray]) -> Vec<Option<(u32, f32)>> {
         let asked =
             |asked: PartialHit| if self.names_triangle { (asked.prim, asked.t.unwrap_or_default()) } else { (0, 0.0) };

@@ -1,4 +1,4 @@
-//! What a small state is good for: less to visit after a hit, from hit to hit, and along paths.
+//! The benefits of a small state: fewer visits after a hit, from hit to hit, and along paths.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -14,7 +14,7 @@ use stackless_bvh::tree::Node;
 
 use crate::output::{Table, table};
 
-/// What a ray costs on average.
+/// The mean cost of a ray.
 #[derive(Serialize)]
 pub(super) struct Row {
     query: &'static str,
@@ -25,10 +25,10 @@ pub(super) struct Row {
     triangles: f64,
 }
 
-/// A ray from where another has hit, with the place of that hit.
+/// A ray from the hit of a previous ray, with the place of that hit.
 type Step = (Ray, Place);
 
-/// Counts for primary rays, and for rays from where they hit.
+/// Counts for primary rays, and for rays from their hits.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unsupported> {
     let tracer = |method| BinaryTracer::planned(bvh, &Plan::new(bvh, method, QueryKind::Distance));
     let tracers = [
@@ -64,18 +64,18 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Res
     Ok(rows)
 }
 
-/// A diffuse ray from the hit of another.
+/// A diffuse ray from the hit of `ray`.
 fn step(mesh: &Mesh, continuation: &Continuation<'_, &Bvh, Exact, Directed>, ray: &Ray, seed: u64) -> Option<Step> {
     let (hit, place) = continuation.closest(ray, None)?;
     Some((trace::reflect(mesh, ray, &hit, &mut Rng::new(seed))?, place))
 }
 
-/// All hits of each ray one by one, each time from the root again or from where the search was put aside.
+/// Finds all hits of each ray one by one, either from the root each time, or resuming the search.
 fn one_by_one(bvh: &Bvh, rays: &[Ray]) -> [Row; 2] {
     let count = |ray: &Ray| {
         let mut search = OneByOne::new(bvh, ray);
         traverse(Stack::new(bvh, &mut Vec::new()), &mut search, &mut ());
-        // The last search finds that there is nothing left.
+        // The last search finds no further hit.
         let again = search.again.merge(&search.so_far);
         [search.so_far, again]
     };
@@ -91,7 +91,7 @@ struct OneByOne<'a> {
     kernel: Exact,
     end: f32,
     so_far: Counters,
-    /// What searches have cost that began at the root for each hit.
+    /// The cost of searches from the root for each hit.
     again: Counters,
 }
 
@@ -139,6 +139,6 @@ pub(super) fn to_table(rows: &[Row]) -> Table {
         let numbers = [row.nodes, row.boxes, row.triangles].map(|number| format!("{number:.2}"));
         [row.query, row.way].map(str::to_owned).into_iter().chain(numbers).collect()
     };
-    let header = ["a ray", "way", "nodes", "box tests", "triangle tests"];
+    let header = ["per ray", "method", "nodes", "box tests", "triangle tests"];
     table(&header, 2, rows.iter().map(cells).collect())
 }

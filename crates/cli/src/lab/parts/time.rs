@@ -1,4 +1,4 @@
-//! Where the time of a ray goes: finding the next node, boxes, triangles (Barringer & Akenine-Möller 2013, Fig. 5).
+//! The parts of a ray's time: finding the next node, boxes, triangles (Barringer & Akenine-Möller 2013, Fig. 5).
 
 use std::hint::black_box;
 
@@ -18,17 +18,17 @@ use stackless_bvh::tree::{Implicit, Node, Recorded};
 use crate::output::{Table, table};
 use crate::turns::{median, take_turns};
 
-/// Nanoseconds of a ray by one traversal.
+/// Nanoseconds per ray of one traversal.
 #[derive(Serialize)]
 pub(super) struct Row {
     method: &'static str,
-    /// Of the whole query.
+    /// The whole query.
     all: f64,
-    /// Of the traversal alone, with decisions that are known.
+    /// The traversal alone, with known decisions.
     traversal: f64,
-    /// Of preparing the ray and testing the boxes that the query tests.
+    /// Preparing the ray, and the box tests of the query.
     boxes: f64,
-    /// Of preparing the ray and testing the triangles that the query tests.
+    /// Preparing the ray, and the triangle tests of the query.
     triangles: f64,
 }
 
@@ -36,8 +36,8 @@ const METHODS: [Method; 5] = [Method::Stack, Method::Sparse, Method::Afra, Metho
 const CHUNK: usize = 1024;
 const ROUNDS: usize = 5;
 
-/// Times the parts alone, over what a query does. They do not add up to the whole: the processor does several at once,
-/// and memory is read for all of them.
+/// Times the parts of queries alone. The parts do not add up to the whole: the processor overlaps them, and each part
+/// reads memory.
 pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unsupported> {
     let with_uncles = bvh.clone().with_links(Recorded::Uncles);
     let tree = |method: Method| if method.wants_recorded() == Recorded::Uncles { &with_uncles } else { bvh };
@@ -48,7 +48,7 @@ pub(super) fn measure(bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Unsupported> 
     let tables = METHODS.map(|method| Tables::new(tree(method).tree(), bvh.axes(), &[method], Implicit::LIMIT));
     let tapes: Vec<_> = rays.iter().map(|ray| Tape::of(bvh, ray)).collect();
     let (mut memory, mut found, mut unfit) = (Vec::new(), [None; CHUNK], None);
-    // The whole and the traversal alone by each method, then boxes, then triangles.
+    // Contestants: each method with the whole query, then with the traversal alone; then boxes; then triangles.
     let contestants = 2 * METHODS.len() + 2;
     let times = take_turns(contestants, rays.len(), CHUNK, ROUNDS, "parts of the time", |who, chunk| {
         let (rays, tapes) = (&rays[chunk.clone()], &tapes[chunk]);
@@ -86,10 +86,10 @@ pub(super) fn to_table(rows: &[Row]) -> Table {
     table(&header, 1, rows.iter().map(cells).collect())
 }
 
-/// What the closest-hit query of a ray does.
+/// A recorded closest-hit query.
 struct Tape {
     descents: Vec<Descent>,
-    /// Inner nodes, and how long the ray is when they are visited.
+    /// Inner nodes, with the length of the ray when they are visited.
     inner: Vec<(Node, f32)>,
     leaves: Vec<(Node, f32)>,
 }
@@ -147,7 +147,7 @@ impl Visitor for Recording<'_> {
     }
 }
 
-/// A traversal that decides as a query has decided before.
+/// A traversal that repeats the recorded decisions of a query.
 struct Replay<'r> {
     tape: &'r Tape,
     tables: &'r Tables<'r, BvhTree>,
@@ -169,7 +169,7 @@ impl WithWord for Replay<'_> {
     }
 }
 
-/// Decisions that are known.
+/// Recorded decisions.
 struct Known<'t>(std::slice::Iter<'t, Descent>);
 
 impl<W: KeyWord> WithCursor<W> for Known<'_> {

@@ -1,4 +1,4 @@
-//! The climb to the dearest query: small changes, of which those are kept that cost more.
+//! Hill climbing to the most expensive query, by small changes.
 
 use std::fmt::Debug;
 use std::time::{Duration, Instant};
@@ -8,20 +8,20 @@ use stackless_bvh::geom::{Ball, Ray, Real, Vector};
 
 use super::nanoseconds;
 
-/// Changes that in a row do not help, after which the climb starts anew.
+/// Number of consecutive changes without success, after which the climb restarts.
 const PATIENCE: u32 = 300;
 
-/// A clock is not exact: what is dearer by less than this is not.
+/// The minimum ratio of an improvement, because clocks are inexact.
 const DEARER: f64 = 1.02;
 
-/// A query that can be changed a little.
+/// A query that can be changed slightly.
 pub(super) trait Change: Clone + Debug {
-    /// One near to this one, or with a part of the other one. `None` if it is no query.
+    /// A query near to this query, or with a part of `other`. `None` for an invalid query.
     fn change(&self, other: &Self, draw: &mut Draw) -> Option<Self>;
 }
 
-/// The dearest query that is found in this time, from some that are known, and its nanoseconds. `known` has what those
-/// cost. `None` if there are none.
+/// The most expensive query found in this time, starting from known queries, and its nanoseconds. `known` has the costs
+/// of the queries. `None` without queries.
 pub(super) fn climb<Q: Change>(
     queries: &[Q],
     known: &[f64],
@@ -32,14 +32,14 @@ pub(super) fn climb<Q: Change>(
     order.sort_by(|&a, &b| known[b].total_cmp(&known[a]));
     let &first = order.first()?;
     let (mut draw, start, mut dearest) = (Draw::new(1), Instant::now(), (queries[first].clone(), known[first]));
-    // From the dearest one first.
+    // Start with the most expensive query.
     for &first in order.iter().cycle().take_while(|_| start.elapsed() < time) {
         let (mut current, mut height, mut stale): (Option<Q>, _, _) = (None, known[first], 0);
         while stale < PATIENCE && start.elapsed() < time {
             stale += 1;
             let from = current.as_ref().unwrap_or(&queries[first]);
             let Some(next) = from.change(&queries[draw.below(queries.len())], &mut draw) else { continue };
-            // Most are cheaper, and seen to be so when they are asked once.
+            // Most changes are cheaper, which a single run shows.
             let Some(cost) = nanoseconds(|| ask(&next), height * DEARER) else { continue };
             if cost > dearest.1 {
                 dearest = (next.clone(), cost);
@@ -54,7 +54,7 @@ impl<V: Vector> Change for Ray<V> {
     fn change(&self, other: &Self, draw: &mut Draw) -> Option<Self> {
         let [mut o, mut d] = [self.origin(), self.direction()].map(V::components);
         match draw.below(4) {
-            // To where the other one points, or from where it begins.
+            // Aims at the target of the other ray, or starts at its origin.
             0 => d = between(o, sum(other.origin().components(), other.direction().components())),
             1 => {
                 let target = sum(o, d);
@@ -81,7 +81,7 @@ impl<V: Vector> Change for Ball<V> {
     }
 }
 
-/// Changes a component: by some floats, to a whole number, to another component, or by a power of two.
+/// Changes a component: by some floats, to an integer, to another component, or by a power of two.
 fn change<R: Real>(components: &mut [R; 3], draw: &mut Draw) {
     let (axis, from) = (draw.below(3), draw.below(3));
     let old: f64 = components[axis].into();
@@ -110,7 +110,7 @@ mod tests {
 
     use super::*;
 
-    /// Of queries whose cost is how far they begin from the origin, the climb finds dearer ones than it is given.
+    /// If the cost is the distance of the origin from 0, the climb improves on the given queries.
     #[test]
     fn the_climb_climbs() {
         let rays: Vec<_> = (1..4u8).filter_map(|i| Ray::new(Vec3::X * f32::from(i), Vec3::Y).ok()).collect();
@@ -123,7 +123,7 @@ mod tests {
         let most = known.iter().copied().fold(0.0, f64::max);
         let (ray, dearest) = climb(&rays, &known, work, Duration::from_millis(300)).expect("a query");
         assert!(dearest > 1.5 * most, "{dearest} {known:?}");
-        assert!(ray.origin().length() > 3.5, "the query that is told is the dearest: {ray:?}");
+        assert!(ray.origin().length() > 3.5, "the returned query is the most expensive: {ray:?}");
         let (ray, none) = climb(&rays, &known, work, Duration::ZERO).expect("a query");
         assert_eq!((none, known.contains(&none)), (most, true), "without time there is no climb");
         assert!(rays.contains(&ray));

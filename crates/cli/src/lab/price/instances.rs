@@ -10,7 +10,7 @@ use stackless_bvh::traverse::Method;
 use super::scenes::{along_axes_from_afar, apply, sphere, turn};
 use super::{Made, QUERIES, queries};
 
-/// Rays at vertices of a sphere that a map has moved so many times.
+/// Rays at vertices of a sphere in `deep` nested instances.
 pub(super) fn instances(deep: usize, affine: AffineMap) -> Made {
     let mesh = stress::icosphere(3, 1.0, Vec3::ZERO)?;
     let mut assembly = Assembly::new();
@@ -36,7 +36,7 @@ pub(super) fn instances(deep: usize, affine: AffineMap) -> Made {
     closest_in(&assembly, object, hard, ordinary)
 }
 
-/// Rays at a sphere that is turned.
+/// Rays at a rotated sphere.
 pub(super) fn from_afar_into_instance(is_wide: bool) -> Made {
     let (mesh, mut assembly) = (sphere()?, Assembly::new());
     let bvh = Bvh::sah(&mesh, SahOptions::default())?;

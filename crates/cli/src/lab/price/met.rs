@@ -1,19 +1,19 @@
-//! What queries ask for, in things that can be counted.
+//! The work of queries, as counts.
 
 use std::fmt;
 
 use stackless_bvh::trace::{Counters, InstanceCounts, WideCounters};
 
-/// What a query meets.
+/// The nodes and triangles of a query.
 pub(super) struct Met {
     nodes: u64,
     triangles: u64,
-    /// What nodes these are.
+    /// The kind of nodes.
     of: &'static str,
 }
 
 impl Met {
-    /// Nodes and triangles: each query meets one at least.
+    /// Nodes and triangles. Each query has at least one.
     pub(super) fn both(&self) -> f64 {
         (self.nodes + self.triangles).max(1) as f64
     }

@@ -1,7 +1,7 @@
 use super::*;
 use stackless_bvh::trace::RayQueries;
 
-/// Of families that take no time without optimisation.
+/// Tests families that are fast without optimisation.
 #[test]
 fn families_have_queries_of_both_kinds_and_a_price() {
     let quick: Vec<_> = FAMILIES
