@@ -111,28 +111,28 @@ const NODE: usize = 4;
 traversals! {
     Stack {
         name: "stack", by: "the textbook", clause: "STACK-1",
-        help: "Postponed nodes are pushed on a stack; the last one pushed comes next.",
+        help: "Pushes postponed nodes on a stack, and pops the next node.",
         tests: Children, links: Nothing, needs: Nothing, words: None, without: Stack,
         state: |_, depth| NODE + 4 + NODE * depth,
         cursor: ByParent |from| Ok(Stack::with(from.tree(), from.memory())),
     }
     StackDisjoint {
         name: "stack-disjoint", by: "the textbook", clause: "ORACLE-2",
-        help: "A stack with a mark for each node: a hit drops what is disjoint from it.",
+        help: "A stack with a mark for each node; a hit drops the nodes that are disjoint from it.",
         tests: Disjoint, links: Nothing, needs: Nothing, words: None, without: Stack,
         state: |_, depth| NODE + 4 + 2 * NODE * depth,
         cursor: ByParent |from| Ok(PruningStack::<_, false, _>::with(from.tree(), from.memory())),
     }
     StackT0 {
         name: "stack-t0", by: "Dammertz 2011", clause: "ORACLE-3",
-        help: "A stack with the distance of each node: what begins beyond the hit is dropped.",
+        help: "A stack with the distance of each node; drops nodes that begin beyond the hit.",
         tests: Distance, links: Nothing, needs: Nothing, words: None, without: Stack,
         state: |_, depth| NODE + 4 + 2 * NODE * depth,
         cursor: ByParent |from| Ok(PruningStack::<_, true, _>::with(from.tree(), from.memory())),
     }
     LeftFirst {
         name: "left-first", by: "Barringer & Akenine-Möller 2013, Alg. 1", clause: "LEFT-1",
-        help: "A counter in an implicit tree, left before right; nodes are tested at their visit.",
+        help: "A counter in an implicit tree, left before right; tests each node at its visit.",
         tests: NodeLeftFirst, links: Nothing, needs: Layout, words: Any, without: LeftFirst,
         state: |word, _| 2 * word,
         cursor: ByNode |from| Ok((LeftFirst::new(from.tree(), from.layout()?)?, order::LeftOrder)),
@@ -167,119 +167,119 @@ traversals! {
     }
     Sparse {
         name: "sparse", by: "Barringer & Akenine-Möller 2013, Alg. 4", clause: "SPARSE-1",
-        help: "A counter whose carry says how far to climb along parents.",
+        help: "A counter whose carry is the number of parents to climb.",
         tests: Children, links: ParentSibling, needs: Nothing, words: Any, without: Sparse,
         state: |word, _| NODE + word,
         cursor: Pausing |from| Sparse::<W, _>::new(from.tree()),
     }
     SparseDisjoint {
         name: "sparse-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
-        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        help: "`sparse` with a second trail; a hit drops the nodes that are disjoint from it.",
         tests: Disjoint, links: ParentSibling, needs: Nothing, words: Any, without: Sparse,
         state: |word, _| NODE + 2 * word,
         cursor: Pausing |from| Sparse::<W, _, Disjoint<W>>::new(from.tree()),
     }
     Hapala {
         name: "hapala", by: "Hapala et al. 2011", clause: "HAPALA-1",
-        help: "Nothing but the node: a fixed order says on the way up which child was the near one.",
+        help: "Only the node: a fixed order determines on the way up which child was near.",
         tests: NodeBySign, links: ParentSibling, needs: Nothing, words: None, without: Hapala,
         state: |_, _| NODE + 4,
         cursor: ByNode |from| Ok((Hapala::new(from.tree(), from.by_sign())?, from.by_sign())),
     }
     Laine0 {
         name: "laine-0", by: "Laine 2010", clause: "LAINE-1",
-        help: "A trail of levels; the next node is found by starting again at the root.",
+        help: "A trail of levels; restarts at the root to find the next node.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine0,
         state: |word, _| NODE + 3 * word,
         cursor: Restarting |from| Ok(Laine::<0, W, _>::new(from.tree())?),
     }
     Laine1 {
         name: "laine-1", by: "Laine 2010", clause: "LAINE-1",
-        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        help: "A trail of levels and a short stack; restarts at the root for nodes that the stack has lost.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine1,
         state: |word, _| NODE + 3 * word + 12,
         cursor: Restarting |from| Ok(Laine::<1, W, _>::new(from.tree())?),
     }
     Laine2 {
         name: "laine-2", by: "Laine 2010", clause: "LAINE-1",
-        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        help: "A trail of levels and a short stack; restarts at the root for nodes that the stack has lost.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine2,
         state: |word, _| NODE + 3 * word + 16,
         cursor: Restarting |from| Ok(Laine::<2, W, _>::new(from.tree())?),
     }
     Laine4 {
         name: "laine-4", by: "Laine 2010", clause: "LAINE-1",
-        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        help: "A trail of levels and a short stack; restarts at the root for nodes that the stack has lost.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine4,
         state: |word, _| NODE + 3 * word + 24,
         cursor: Restarting |from| Ok(Laine::<4, W, _>::new(from.tree())?),
     }
     Laine8 {
         name: "laine-8", by: "Laine 2010", clause: "LAINE-1",
-        help: "A trail of levels and a short stack; what it has lost is found by starting again at the root.",
+        help: "A trail of levels and a short stack; restarts at the root for nodes that the stack has lost.",
         tests: Children, links: Nothing, needs: Nothing, words: Fixed, without: Laine8,
         state: |word, _| NODE + 3 * word + 40,
         cursor: Restarting |from| Ok(Laine::<8, W, _>::new(from.tree())?),
     }
     Afra {
         name: "afra", by: "Áfra & Szirmay-Kalos 2014", clause: "AFRA-1",
-        help: "A trail, and a climb along parents while its lowest bit is clear.",
+        help: "A trail; climbs along parents while its lowest bit is clear.",
         tests: Children, links: ParentSibling, needs: Nothing, words: Any, without: Afra,
         state: |word, _| NODE + word,
         cursor: Pausing |from| Afra::<W, _>::new(from.tree()),
     }
     AfraDisjoint {
         name: "afra-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
-        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        help: "`afra` with a second trail; a hit drops the nodes that are disjoint from it.",
         tests: Disjoint, links: ParentSibling, needs: Nothing, words: Any, without: Afra,
         state: |word, _| NODE + 2 * word,
         cursor: Pausing |from| Afra::<W, _, Disjoint<W>>::new(from.tree()),
     }
     Uncle {
         name: "uncle", by: "Binder & Keller 2016, Sec. 2.2.1", clause: "UNCLE-2",
-        help: "A trail and a register; records name uncle and grand uncle, so a climb takes two levels a step.",
+        help: "A trail and a register; records name uncle and grand uncle, so a climb takes two levels per step.",
         tests: Children, links: Uncles, needs: Nothing, words: Any, without: Uncle,
         state: |word, _| 2 * NODE + word,
         cursor: Pausing |from| Uncle::<W, _>::new(from.tree()),
     }
     UncleDisjoint {
         name: "uncle-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
-        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        help: "`uncle` with a second trail; a hit drops the nodes that are disjoint from it.",
         tests: Disjoint, links: Uncles, needs: Nothing, words: Any, without: Uncle,
         state: |word, _| 2 * NODE + 2 * word,
         cursor: Pausing |from| Uncle::<W, _, Disjoint<W>>::new(from.tree()),
     }
     HashOnly {
         name: "hash-only", by: "Binder & Keller 2016, Sec. 2.2", clause: "HASHONLY-1",
-        help: "Key and trail; a perfect hash turns the key of the next node into its address.",
+        help: "Key and trail; a perfect hash maps the key of the next node to its address.",
         tests: Children, links: Nothing, needs: AllKeys, words: Any, without: HashOnly,
         state: |word, _| NODE + 2 * word,
         cursor: Pausing |from| Ok(HashOnly::<W, _, _>::new(from.tree(), from.all_keys()?)?),
     }
     Hashed {
         name: "hashed", by: "Binder & Keller 2016, Alg. 1", clause: "HASHED-1",
-        help: "Key, trail and a register; uncles fill it, and what they do not reach is in a perfect hash.",
+        help: "Key, trail and a register, filled by uncles; a perfect hash has the other nodes.",
         tests: Children, links: Uncles, needs: ReachedKeys, words: Any, without: Hashed,
         state: |word, _| 2 * NODE + 2 * word,
         cursor: Pausing |from| Hashed::<W, _, _>::new(from.tree(), from.reached_keys()?),
     }
     HashedDisjoint {
         name: "hashed-disjoint", by: "Binder & Keller 2016, Sec. 2.3", clause: "DISJOINT-2",
-        help: "The same with a second trail, by which a hit drops what is disjoint from it.",
+        help: "`hashed` with a second trail; a hit drops the nodes that are disjoint from it.",
         tests: Disjoint, links: Uncles, needs: ReachedKeys, words: Any, without: Hashed,
         state: |word, _| 2 * NODE + 3 * word,
         cursor: Pausing |from| Hashed::<W, _, _, Disjoint<W>>::new(from.tree(), from.reached_keys()?),
     }
     Skip {
         name: "skip", by: "Smits 1998", clause: "SKIP-1",
-        help: "Each node names the one after its subtree, in a fixed order.",
+        help: "Each node names the node after its subtree, in a fixed order.",
         tests: NodeLeftFirst, links: Nothing, needs: Skips, words: None, without: Skip,
         state: |_, _| NODE,
         cursor: ByNode |from| Ok((Skip::new(from.tree(), from.skips()?, order::LeftOrder), order::LeftOrder)),
     }
     SkipOctant {
         name: "skip-octant", by: "Boulos & Haines 2006", clause: "SKIP-1",
-        help: "Each node names the one after its subtree, in a fixed order.",
+        help: "Each node names the node after its subtree, in a fixed order.",
         tests: NodeBySign, links: Nothing, needs: SkipsBySign, words: None, without: SkipOctant,
         state: |_, _| NODE,
         cursor: ByNode |from| Ok((Skip::new(from.tree(), from.skips_by_sign()?, from.by_sign()), from.by_sign())),

@@ -64,27 +64,27 @@ macro_rules! traversals {
 traversals! {
     Stack {
         name: "wide-stack", by: "the textbook", clause: "WSTACK-1",
-        help: "Postponed children are pushed with their ranks, the greatest first.",
+        help: "Pushes postponed children with their ranks, the greatest first.",
         state: |a, levels| 8 + 8 * ((a - 1) * (levels + 1) + 1),
     }
     Trail {
         name: "wide-trail", by: "after Áfra & Szirmay-Kalos 2014", clause: "WTRAIL-1",
-        help: "A trail of pending sets; the ancestor is found by parents, and asked again for the order.",
+        help: "A trail of pending sets; finds the ancestor by parents, and queries it again for the order.",
         state: |_, _| 4 + 4 + 16 + 8,
     }
     Recorded {
         name: "wide-record", by: "this project", clause: "WRECORD-1",
-        help: "For each level a pending set and the two children that come next; the node's record names its ancestors.",
+        help: "A pending set and the next two children for each level; the node's record names its ancestors.",
         state: |_, levels| 4 + 4 + 2 * 8 + Ranked::bytes(levels),
     }
     Hashed {
         name: "wide-hashed", by: "this project, after Binder & Keller 2016", clause: "WHASHED-1",
-        help: "The same, with a key; a perfect hash finds the ancestor.",
+        help: "`wide-record` with a key; a perfect hash finds the ancestor.",
         state: |_, levels| 4 + 4 + 8 + 2 * 8 + Ranked::bytes(levels),
     }
     Restart0 {
         name: "wide-restart-0", by: "Vaidyanathan et al. 2019", clause: "WRESTART-1",
-        help: "The number of the child for each level; the next one is found by starting again at the root.",
+        help: "The number of the child for each level; restarts at the root to find the next child.",
         state: |_, _| 4 + 3 * 4 + 16,
     }
     Restart1 {

@@ -27,6 +27,16 @@ use crate::{Outcome, camera};
     stackless explain examples/data/torus.ply --pixel 256,340 --method wide-record -o ray.html\n  \
     stackless explain --suite-case trace/script/three-neither -o - > case.html")]
 pub(crate) struct Args {
+    #[command(flatten)]
+    shown: Shown,
+    /// Write the page to this .html file; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", value_parser = places::file_as("html"))]
+    output: Output,
+}
+
+/// A case and its traversals.
+#[derive(clap::Args)]
+pub(crate) struct Shown {
     /// Mesh file (.ply, .obj, .stl, .gltf, .glb), or a generated scene: show the ray through a pixel. Needs --pixel.
     #[arg(group = "what", requires = "pixel")]
     scene: Option<PathBuf>,
@@ -52,12 +62,18 @@ pub(crate) struct Args {
     /// The page opens with the first.
     #[arg(long, value_delimiter = ',', value_parser = input::traversal(), hide_possible_values = true)]
     method: Vec<Traversal>,
-    /// Write the page to this .html file; `-` is the standard output.
-    #[arg(short, long, value_name = "FILE", value_parser = places::file_as("html"))]
-    output: Output,
 }
 
-/// Options of `lab explain` only.
+/// Parts of a case that `lab debug` prints.
+#[derive(Clone, Copy, clap::ValueEnum)]
+pub(crate) enum Part {
+    /// The tree, one node a line.
+    Tree,
+    /// The traversals, one visit a line.
+    Trace,
+}
+
+/// Options of `lab` only.
 #[derive(Clone, Copy, Default, clap::Args)]
 pub(crate) struct Extra {
     /// Show a random tree with a tape: a sequence of random decisions instead of a ray.
@@ -66,10 +82,22 @@ pub(crate) struct Extra {
 }
 
 pub(crate) fn run(args: &Args, Extra { tape }: Extra) -> Outcome {
-    let Page { title, nodes, html } = page(args, tape)?;
-    let html = html.map_err(|error| format!("{title}: {error}"))?;
+    let Page { title, nodes, page } = page(&args.shown, tape)?;
+    let html = page.and_then(|page| page.to_html()).map_err(|error| format!("{title}: {error}"))?;
     write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
     say!("{}: {nodes} nodes, {} bytes", args.output.display(), html.len());
+    Ok(true)
+}
+
+/// Prints a part of a case as text.
+pub(crate) fn debug(part: Part, shown: &Shown, Extra { tape }: Extra) -> Outcome {
+    let Page { title, page, .. } = page(shown, tape)?;
+    let page = page.map_err(|error| format!("{title}: {error}"))?;
+    let text = match part {
+        Part::Tree => page.tree(),
+        Part::Trace => page.traversals(),
+    };
+    say!("{title}\n{}", text.trim_end());
     Ok(true)
 }
 
@@ -78,38 +106,38 @@ type Error = Box<dyn std::error::Error>;
 struct Page {
     title: String,
     nodes: usize,
-    html: Result<String, explain::ExplainError>,
+    page: Result<explain::Page, explain::ExplainError>,
 }
 
-fn page(args: &Args, tape: Option<u64>) -> Result<Page, Error> {
-    let (binary, wide) = Traversal::of_each_kind(&args.method);
-    let ask = args.suite_case.as_deref().map(suite_case).transpose()?;
-    let is_wide = !wide.is_empty() || args.wide.is_some() || matches!(ask, Some(Ask::TraceWide(_)));
+fn page(shown: &Shown, tape: Option<u64>) -> Result<Page, Error> {
+    let (binary, wide) = Traversal::of_each_kind(&shown.method);
+    let ask = shown.suite_case.as_deref().map(suite_case).transpose()?;
+    let is_wide = !wide.is_empty() || shown.wide.is_some() || matches!(ask, Some(Ask::TraceWide(_)));
     match (is_wide, ask) {
         (true, _) if !binary.is_empty() => Err("--method: traversals of binary trees do not run on wide trees".into()),
-        (true, Some(Ask::TraceWide(walk))) => of_walk(args, &walk, &wide),
+        (true, Some(Ask::TraceWide(walk))) => of_walk(shown, &walk, &wide),
         (true, Some(_)) => Err("--suite-case: its tree is binary, expected traversals of binary trees".into()),
-        (true, None) => wide_page(args, tape, &wide),
-        (false, ask) => binary_page(args, tape, ask, &binary),
+        (true, None) => wide_page(shown, tape, &wide),
+        (false, ask) => binary_page(shown, tape, ask, &binary),
     }
 }
 
-fn binary_page(args: &Args, tape: Option<u64>, ask: Option<Ask>, methods: &[Method]) -> Result<Page, Error> {
-    let (title, case, named) = load(args, tape, ask)?;
+fn binary_page(shown: &Shown, tape: Option<u64>, ask: Option<Ask>, methods: &[Method]) -> Result<Page, Error> {
+    let (title, case, named) = load(shown, tape, ask)?;
     let methods = match (methods, &named[..]) {
         ([], []) => &USUAL[..],
         ([], named) => named,
         (methods, _) => methods,
     };
-    Ok(Page { html: explain::page(&title, &case, methods), nodes: case.size(), title })
+    Ok(Page { page: explain::page(&title, &case, methods), nodes: case.size(), title })
 }
 
 /// Loads the case with its title and the traversals that it names.
-fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Case, Vec<Method>), Error> {
-    if let Some((scene, ray, title)) = pixel_ray(args)? {
-        return Ok((title, explain::of_ray(&build::binary(args.build, &scene)?, &ray), Vec::new()));
+fn load(shown: &Shown, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Case, Vec<Method>), Error> {
+    if let Some((scene, ray, title)) = pixel_ray(shown)? {
+        return Ok((title, explain::of_ray(&build::binary(shown.build, &scene)?, &ray), Vec::new()));
     }
-    if let Some(path) = &args.file {
+    if let Some(path) = &shown.file {
         let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let replay = Replay::load(path).map_err(|error| named(&error))?;
         let case = replay.case().map_err(|error| named(&error))?;
@@ -120,7 +148,7 @@ fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Cas
     if let Some(seed) = tape {
         return Ok((format!("Tape {seed}"), Case::random(seed, CaseOptions::default()), Vec::new()));
     }
-    if let (Some(id), Some(ask)) = (&args.suite_case, ask) {
+    if let (Some(id), Some(ask)) = (&shown.suite_case, ask) {
         let case = match ask {
             Ask::Trace(walk) => walk.case().map_err(|error| error.to_string()),
             _ => Err("expected a case of the level trace".to_owned()),
@@ -131,12 +159,12 @@ fn load(args: &Args, tape: Option<u64>, ask: Option<Ask>) -> Result<(String, Cas
     Ok(("The papers' example: from key 22 to key 3".to_owned(), explain::example(), Vec::new()))
 }
 
-fn wide_page(args: &Args, tape: Option<u64>, methods: &[WideMethod]) -> Result<Page, Error> {
-    if args.file.is_some() {
+fn wide_page(shown: &Shown, tape: Option<u64>, methods: &[WideMethod]) -> Result<Page, Error> {
+    if shown.file.is_some() {
         return Err("--case: its tree is binary, expected traversals of binary trees".into());
     }
-    let children = args.wide.unwrap_or(8);
-    if let (None, Some(seed)) = (&args.scene, tape) {
+    let children = shown.wide.unwrap_or(8);
+    if let (None, Some(seed)) = (&shown.scene, tape) {
         let title = format!("Tape {seed}, up to {children} children");
         return match children {
             2 => Ok(of_case(title, &wide::random::<2>(seed), methods)),
@@ -150,24 +178,24 @@ fn wide_page(args: &Args, tape: Option<u64>, methods: &[WideMethod]) -> Result<P
             format!("--wide {children}: scenes and the example have 8 children a node; tapes have 2, 4 or 8").into()
         );
     }
-    if let Some((scene, ray, title)) = pixel_ray(args)? {
-        return Ok(of_case(title, &wide::of_ray(&build::wide(args.build, &scene)?, &ray), methods));
+    if let Some((scene, ray, title)) = pixel_ray(shown)? {
+        return Ok(of_case(title, &wide::of_ray(&build::wide(shown.build, &scene)?, &ray), methods));
     }
     Ok(of_case("Eight children: from key 1252 to key 10".to_owned(), &wide::example(), methods))
 }
 
 fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMethod]) -> Page {
     let methods = if methods.is_empty() { &wide::USUAL } else { methods };
-    let html = if case.is_sorted {
+    let page = if case.is_sorted {
         wide::page(&title, &case.tree, &case.search::<true>(), methods)
     } else {
         wide::page(&title, &case.tree, &case.search::<false>(), methods)
     };
-    Page { html, nodes: case.tree.node_count(), title }
+    Page { page, nodes: case.tree.node_count(), title }
 }
 
-fn of_walk(args: &Args, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
-    let id = args.suite_case.as_deref().unwrap_or_default();
+fn of_walk(shown: &Shown, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
+    let id = shown.suite_case.as_deref().unwrap_or_default();
     let page = match walk.slots {
         2 => of_walk_of::<2>(id, walk, methods),
         4 => of_walk_of::<4>(id, walk, methods),
@@ -180,24 +208,24 @@ fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod])
     let methods = if methods.is_empty() { &wide::USUAL } else { methods };
     let (title, tree) = (format!("Suite case {id}"), walk.tree::<A>().map_err(|error| error.to_string())?);
     let unfit = "its ranks do not fit its tree";
-    let html = if walk.is_sorted() {
+    let page = if walk.is_sorted() {
         wide::page(&title, &tree, &walk.search::<A, true>().ok_or(unfit)?, methods)
     } else {
         wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods)
     };
-    Ok(Page { html, nodes: tree.node_count(), title })
+    Ok(Page { page, nodes: tree.node_count(), title })
 }
 
 /// The scene with its ray and a title, if a scene is given.
-fn pixel_ray(args: &Args) -> Result<Option<(Scene, Ray, String)>, Error> {
-    let (Some(path), Some([x, y])) = (&args.scene, args.pixel) else { return Ok(None) };
+fn pixel_ray(shown: &Shown) -> Result<Option<(Scene, Ray, String)>, Error> {
+    let (Some(path), Some([x, y])) = (&shown.scene, shown.pixel) else { return Ok(None) };
     let scene = Scene::load(path)?;
-    let camera::Size { width, height } = args.camera.size;
+    let camera::Size { width, height } = shown.camera.size;
     if x >= width || y >= height {
         return Err(format!("pixel {x},{y} is outside the image of {width}x{height} pixels").into());
     }
     let pixel = y as usize * width as usize + x as usize;
-    let ray = args.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;
+    let ray = shown.camera.of(&scene).ray(pixel, [0.5; 2]).ok_or("the camera is too far away for a ray")?;
     let title = format!("{}, pixel {x},{y}", scene.name);
     Ok(Some((scene, ray, title)))
 }

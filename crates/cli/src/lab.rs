@@ -34,6 +34,14 @@ pub(crate) enum Lab {
         #[command(flatten)]
         extra: check::Extra,
     },
+    /// Print a tree or a traversal as text. The cases are those of `lab explain`.
+    Debug {
+        part: explain::Part,
+        #[command(flatten)]
+        shown: explain::Shown,
+        #[command(flatten)]
+        extra: explain::Extra,
+    },
     /// `stackless explain`, also of random trees.
     Explain {
         #[command(flatten)]
@@ -74,6 +82,7 @@ impl Program for Lab {
             Self::Bench { args, extra } => bench::run(&args, &extra),
             Self::Boxes(args) => boxes::run(&args),
             Self::Check { args, extra } => check::run(&args, &extra),
+            Self::Debug { part, shown, extra } => explain::debug(part, &shown, extra),
             Self::Explain { args, extra } => explain::run(&args, extra),
             Self::Figure(args) => figure::run(&args),
             Self::Merge(args) => merge::run(&args, &MERGED),

@@ -193,14 +193,14 @@ fn look(case: &Case, method: Method, recording: &Recording, clauses: &BTreeSet<S
 #[test]
 fn a_page_is_one_file_and_no_text_breaks_out_of_it() {
     let case = explain::example();
-    let plain = explain::page("plain", &case, &USUAL).unwrap();
+    let plain = explain::page("plain", &case, &USUAL).unwrap().to_html().unwrap();
     let title = "</script><script>alert(1)</script> <!-- &amp; \u{2028} \"";
-    let html = explain::page(title, &case, &USUAL).unwrap();
+    let html = explain::page(title, &case, &USUAL).unwrap().to_html().unwrap();
     assert_eq!(html.matches('<').count(), plain.matches('<').count());
     assert_eq!(data(&html)["title"], title);
     let links: Vec<_> = html.match_indices("://").map(|(at, _)| html[at - 4..].split('"').next().unwrap()).collect();
     assert_eq!(links, ["http://www.w3.org/2000/svg"], "something is asked of the network");
-    assert_eq!(explain::page("plain", &case, &USUAL).unwrap(), plain);
+    assert_eq!(explain::page("plain", &case, &USUAL).unwrap().to_html().unwrap(), plain);
     let data = data(&plain);
     let names: Vec<_> = data["methods"].as_array().unwrap().iter().map(|it| it["method"].as_str().unwrap()).collect();
     assert_eq!(names, USUAL.map(Method::name));
@@ -233,7 +233,7 @@ fn what_is_too_large_or_does_not_run_is_refused() {
     assert!(matches!(explain::page("a", &example, &[]), Err(ExplainError::NoMethod)));
     let complete = explain::page("a", &example, &[Method::Complete]);
     assert!(matches!(complete, Err(ExplainError::Unsupported { method: Method::Complete, .. })));
-    let html = explain::page("a", &example, &[Method::Complete, Method::Stack]).unwrap();
+    let html = explain::page("a", &example, &[Method::Complete, Method::Stack]).unwrap().to_html().unwrap();
     let left_out = data(&html)["left_out"][0].as_str().unwrap().to_owned();
     assert!(left_out.starts_with("complete: "), "{left_out}");
 }
@@ -316,7 +316,7 @@ fn the_wide_example_goes_from_1252_to_10_by_each_way() {
     ];
     for (method, by) in ways {
         let recording = wide::record(&case.tree, &case.search::<true>(), method).unwrap();
-        let data = data(&wide::page("x", &case.tree, &case.search::<true>(), &[method]).unwrap());
+        let data = data(&wide::page("x", &case.tree, &case.search::<true>(), &[method]).unwrap().to_html().unwrap());
         let name = |node: u32| data["names"][node as usize].as_str().unwrap().to_owned();
         let at = recording.steps.iter().rposition(|step| name(step.node).len() == 4).unwrap();
         let next = recording.steps[at].next.as_ref().unwrap();

@@ -24,8 +24,25 @@ fn lab(args: &str, paths: &[&Path]) -> Run {
 #[test]
 fn every_command_has_help() {
     let all = lab("--help", &[]).passes().stdout;
-    for command in ["accuracy", "bench", "boxes", "check", "explain", "figure", "merge", "parts", "price", "stress"] {
+    let commands =
+        ["accuracy", "bench", "boxes", "check", "debug", "explain", "figure", "merge", "parts", "price", "stress"];
+    for command in commands {
         let help = lab(&format!("{command} --help"), &[]).passes().stdout;
         assert!(all.contains(&format!("  {command} ")) && help.contains("Usage: lab"), "{command}");
     }
+}
+
+/// The papers' example, a scene, and a random tree of eight children.
+#[test]
+fn trees_and_traversals_are_printed() {
+    let tree = lab("debug tree", &[]).passes().stdout;
+    assert!(tree.contains("\n1\n  2\n    4 leaf\n    5\n      10 leaf\n"), "{tree}");
+    let trace = lab("debug trace --method hashed", &[]).passes().stdout;
+    let visit = "   5  22  key 10110, trail 1000, postponed 3: Leaf 22 has no hit. The trail 1000 ends in 3 zeros: 3 levels up, to \
+                 the sibling 3; the key 10110 becomes 11.";
+    assert!(trace.contains(visit), "{trace}");
+    let ray = lab("debug trace soup --pixel 256,256 --method wide-record", &[]).passes().stdout;
+    assert!(ray.starts_with("soup, pixel 256,256\nwide-record [WRECORD-1]: "), "{ray}");
+    let random = lab("debug trace --tape 3 --wide 8", &[]).passes().stdout;
+    assert!(random.contains("\nwide-trail [WTRAIL-1]: "), "{random}");
 }

@@ -60,12 +60,12 @@ fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
         (Some(_), [first, second]) => format!("Both children of {node} are wanted, {first} before {second}."),
         (Some(_), _) if tests_nodes => format!("Node {node} is not wanted."),
         (Some(_), _) => format!("No child of {node} is wanted."),
-        (None, _) if seen.found.stops => format!("Leaf {node} is hit, which is all that was asked."),
+        (None, _) if seen.found.stops => format!("Leaf {node} is hit, which answers the query."),
         (None, _) if seen.found.hit && seen.found.prunes && seen.state.disjoint.is_some() => {
-            format!("Leaf {node} is hit: what is marked as disjoint leaves the trail.")
+            format!("Leaf {node} is hit: the trail drops nodes that are marked as disjoint.")
         }
         (None, _) if seen.found.hit => format!("Leaf {node} is hit."),
-        (None, _) => format!("Leaf {node} has nothing to offer."),
+        (None, _) => format!("Leaf {node} has no hit."),
     };
     let clause = if seen.descent.is_some() { "ORDER-1" } else { "TRACE-1" };
     let pruned = seen.found.prunes && seen.state.disjoint.is_some();
@@ -75,9 +75,9 @@ fn visited(judge: &Judge<'_>, seen: &Seen) -> (String, Vec<&'static str>) {
 fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
     let text = match (seen.found.stops, seen.state.trail, seen.state.counter) {
         (true, ..) => return ("The search stops.".to_owned(), vec!["ORACLE-1"]),
-        (_, Some(0), _) => "The trail is 0: nothing is left.",
-        (_, _, Some(counter)) if counter.is_all_ones() => "The counter is all ones: nothing is left.",
-        _ => "Nothing is left.",
+        (_, Some(0), _) => "The trail is 0: no node is postponed.",
+        (_, _, Some(counter)) if counter.is_all_ones() => "The counter is all ones: no node is postponed.",
+        _ => "No node is postponed.",
     };
     let clause = if seen.state.trail.is_some() { "TRAIL-3" } else { method.clause() };
     (text.to_owned(), vec![clause])
@@ -87,7 +87,7 @@ fn end(method: Method, seen: &Seen) -> (String, Vec<&'static str>) {
 fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static str>) {
     let child = judge.name_of(next.node);
     if seen.state.is_restarting {
-        return (format!("The trail leads on to {child}."), vec![]);
+        return (format!("The trail leads to {child}."), vec![]);
     }
     let postponed = judge.wanted(seen.state.node, seen.descent).get(1).map(|&node| judge.name(node));
     let has_register = judge.method.wants_recorded() == Recorded::Uncles;
@@ -106,15 +106,15 @@ fn down(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
     let text = match (postponed, word) {
         (Some(postponed), Some(word)) if has_register => {
             clauses.push("REGISTER-2");
-            format!("On to {child}; {postponed} is postponed: {word}, and the register takes {postponed}.")
+            format!("Next is {child}; {postponed} is postponed: {word}, and the register takes {postponed}.")
         }
-        (Some(postponed), Some(word)) => format!("On to {child}; {postponed} is postponed: {word}."),
+        (Some(postponed), Some(word)) => format!("Next is {child}; {postponed} is postponed: {word}."),
         (Some(postponed), None) => {
             clauses.push(judge.method.clause());
-            format!("On to {child}; {postponed} is postponed.")
+            format!("Next is {child}; {postponed} is postponed.")
         }
-        (None, Some(word)) => format!("On to {child}; {word}."),
-        (None, None) => format!("On to {child}."),
+        (None, Some(word)) => format!("Next is {child}; {word}."),
+        (None, None) => format!("Next is {child}."),
     };
     (text, clauses)
 }
@@ -126,9 +126,9 @@ fn back(judge: &Judge<'_>, seen: &Seen, next: &Next) -> (String, Vec<&'static st
     let mut text = String::new();
     if let Some(levels) = next.levels {
         let up = match levels {
-            0 => format!("over to the sibling {name}"),
-            1 => format!("1 level up and over to {name}"),
-            levels => format!("{levels} levels up and over to {name}"),
+            0 => format!("to the sibling {name}"),
+            1 => format!("1 level up, to the sibling {name}"),
+            levels => format!("{levels} levels up, to the sibling {name}"),
         };
         let end = match levels {
             0 => "a 1".to_owned(),
@@ -174,7 +174,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
         (By::Uncle, _) => (format!("It is the uncle: the record names {name}."), Some("REGISTER-2")),
         (By::GrandUncle, _) => (format!("It is the grand uncle: the record names {name}."), Some("REGISTER-2")),
         (By::Climb, _) if judge.method.wants_recorded() == Recorded::Uncles => {
-            (format!("By grand uncles, two levels a step, by way of {}.", way()), None)
+            (format!("By grand uncles, two levels per step, through {}.", way()), None)
         }
         (By::Climb, _) if steps == 1 => (format!("Through the parent {} to its sibling.", way()), None),
         (By::Climb, _) if steps == 0 => ("The record names it.".to_owned(), None),
@@ -183,7 +183,7 @@ fn source(judge: &Judge<'_>, next: &Next, name: &str) -> (String, Option<&'stati
         (By::Stack, _) => ("Its address is on top of the stack.".to_owned(), None),
         (By::Skip, _) => ("The skip pointer names it.".to_owned(), None),
         (By::Restart, _) => {
-            ("The short stack has lost the node that comes next: start again at the root.".to_owned(), None)
+            ("The short stack has lost the next node: the traversal restarts at the root.".to_owned(), None)
         }
         (By::Key | By::Child | By::Table | By::Parent | By::Ancestor, _) => {
             ("Its address follows from its key.".to_owned(), None)
@@ -198,6 +198,6 @@ pub(super) fn looked_up(lookup: &HashLookup) -> String {
         (Entry::Displacement(displacement), Some(cell)) => {
             format!("Bucket {bucket} of the table has the displacement {displacement}, which leads to cell {cell}.")
         }
-        _ => format!("Its address stands in bucket {bucket} of the table."),
+        _ => format!("Bucket {bucket} of the table has its address."),
     }
 }

@@ -90,7 +90,7 @@ fn the_case_of_a_ray_is_what_the_tracer_does() {
             let (counters, mut asked, mut leaves) = (tracer.count_closest(&[ray]), 0, 0);
             for step in &recording.steps {
                 // Queried at its visit, at each repetition, and at each mention in the text.
-                asked += u64::from(step.decision.is_some()) + step.text.matches("asked about").count() as u64;
+                asked += u64::from(step.decision.is_some()) + step.text.matches("is queried again").count() as u64;
                 leaves += u64::from(step.decision.is_none() && !step.restart);
             }
             assert_eq!((asked, leaves), (counters.nodes, counters.leaves), "{method}, {ray:?}");

@@ -103,8 +103,8 @@ pub(super) fn of<const A: usize>(
     }
     match next {
         None if seen.stops => add(("The search stops.".to_owned(), "WIDE-5")),
-        None if is_empty => add(("Nothing is left.".to_owned(), "WIDE-5")),
-        None => add(("What is left is beyond.".to_owned(), "WIDE-3")),
+        None if is_empty => add(("No node is pending.".to_owned(), "WIDE-5")),
+        None => add(("All pending nodes are beyond the end.".to_owned(), "WIDE-3")),
         Some(next) => add(onward(judge, seen, next)),
     }
     (text, clauses)
@@ -118,9 +118,9 @@ fn visited<const A: usize>(judge: &Judge<'_, A>, seen: &Seen) -> (String, Vec<&'
     }
     let Some(wanted) = &seen.wanted else {
         let text = match (seen.is_hit, seen.stops) {
-            (_, true) => format!("Leaf {node} is hit, which is all that was asked."),
-            (true, false) => format!("Leaf {node} is hit: the search ends there from now on."),
-            (false, false) => format!("Leaf {node} has nothing to offer."),
+            (_, true) => format!("Leaf {node} is hit, which answers the query."),
+            (true, false) => format!("Leaf {node} is hit: the search now ends there."),
+            (false, false) => format!("Leaf {node} has no hit."),
         };
         return (text, vec![if seen.is_hit { "WIDE-3" } else { "WIDE-5" }]);
     };
@@ -128,8 +128,8 @@ fn visited<const A: usize>(judge: &Judge<'_, A>, seen: &Seen) -> (String, Vec<&'
     let order = if judge.is_sorted() { "the nearest first" } else { "leaves first" };
     let text = match &names[..] {
         [] => format!("No child of {node} is wanted."),
-        [only] => format!("Of {node} one child is wanted: {only}."),
-        names => format!("Of {node} {} children are wanted, {order}: {}.", names.len(), names.join(", ")),
+        [only] => format!("One child of {node} is wanted: {only}."),
+        names => format!("{} children of {node} are wanted, {order}: {}.", names.len(), names.join(", ")),
     };
     (text, vec!["WIDE-2", if judge.is_sorted() { "WIDE-5" } else { "WIDE-6" }])
 }
@@ -142,7 +142,7 @@ fn gone_back<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> 
         let up = judge.places.depth(back.from) - judge.places.depth(back.to);
         let levels = if up == 1 { "1 level".to_owned() } else { format!("{up} levels") };
         if is_dropped(judge, seen, back) {
-            said.push(("What is pending below is beyond, by the kept rank.".to_owned(), "WIDE-17"));
+            said.push(("Pending nodes below are beyond the end, by the stored rank.".to_owned(), "WIDE-17"));
         }
         said.push((format!("{levels} up, {to} has pending children."), "WIDE-11"));
         let names = |nodes: &[Node]| nodes.iter().map(|&node| judge.name(node)).collect::<Vec<_>>().join(", ");
@@ -150,12 +150,12 @@ fn gone_back<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, back: &Back) -> 
             (Some(lookup), ..) => (format!("Its key {} is looked up. {}", lookup.key, looked_up(&lookup)), clause),
             (_, Method::Trail, read) => (format!("By parents, in the records of {}.", names(read)), clause),
             (_, _, [one]) => (format!("The record of {} names it.", judge.name(*one)), clause),
-            (_, _, read) => (format!("By the ancestors that the records of {} name.", names(read)), clause),
+            (_, _, read) => (format!("By the ancestors in the records of {}.", names(read)), clause),
         });
     }
     if back.is_asked {
         let clause = if judge.method == Method::Trail { "WIDE-18" } else { "WIDE-17" };
-        said.push((format!("The search is asked about {to} again."), clause));
+        said.push((format!("Node {to} is queried again."), clause));
     }
     said
 }
@@ -172,14 +172,16 @@ fn onward<const A: usize>(judge: &Judge<'_, A>, seen: &Seen, next: &Next) -> (St
     let (to, clause) = (judge.name_of(next.node), judge.method.clause());
     let others = seen.wanted.as_ref().map_or(0, |wanted| wanted.len().saturating_sub(1));
     match next.by {
-        By::Child if seen.is_restarting => (format!("On to {to}."), clause),
-        By::Child if others == 0 => (format!("On to {to}."), "WIDE-10"),
-        By::Child if judge.method == Method::Stack => (format!("On to {to}; the others are pushed."), clause),
-        By::Child => (format!("On to {to}; the others stay pending."), "WIDE-10"),
-        By::Restart => ("What comes next is not on the short stack: start again at the root.".to_owned(), clause),
-        By::Stack if judge.method == Method::Stack => (format!("On top of the stack is {to}."), clause),
+        By::Child if seen.is_restarting => (format!("Next is {to}."), clause),
+        By::Child if others == 0 => (format!("Next is {to}."), "WIDE-10"),
+        By::Child if judge.method == Method::Stack => (format!("Next is {to}; the other children are pushed."), clause),
+        By::Child => (format!("Next is {to}; the other children stay pending."), "WIDE-10"),
+        By::Restart => {
+            ("The short stack has lost the next node: the traversal restarts at the root.".to_owned(), clause)
+        }
+        By::Stack if judge.method == Method::Stack => (format!("The top of the stack is {to}."), clause),
         By::Stack => (format!("The short stack has {to}."), clause),
         By::Parent => (format!("The next pending sibling is {to}."), "WIDE-19"),
-        _ => (format!("Of its pending children {to} comes next."), "WIDE-19"),
+        _ => (format!("Its next pending child is {to}."), "WIDE-19"),
     }
 }
