@@ -110,6 +110,11 @@ refuted 's/(63 - shift)/(62 - shift)/' over_is_quotient Accumulator.v
 refuted 's/(sum, first || second)/(sum, second)/' step_is_right Accumulator.v
 refuted 's/radix2 (-200)/radix2 (-280)/' usual_multiple Usual.v
 refuted 's/(fmax (fx v) (fx w))/(fx v)/' scene_has_bounds Scene.v
+refuted 's/ + 5 <= 53/ + 4 <= 53/' nothing_is_rounded Coarse.v
+refuted 's/off + 3 <= 53/off + 2 <= 53/' nothing_is_rounded Coarse.v
+refuted 's/2 \* edges + 3 <= 53/2 * edges + 2 <= 53/' det_exact Coarse.v
+refuted 's/Z.shiftl 1 51/Z.shiftl 1 50/' shift_is LastDigit.v
+refuted 's/E - 50 + /E - 49 + /' units_divide LastDigit.v
 refuted 's/12 \*/7 */g' within_is_enough Off.v
 refuted 's/(6 \*/(4 */g; s/6 \* v \*/4 * v */g; s/6 \* w \*/4 * w */g' within_det_is_enough Off.v
 refuted 's/9 \/ 2/7 \/ 2/g; s/9 \* (E \* v \* C)/7 * (E * v * C)/; s/81 \/ (78/63 \/ (78/' within_covers LanesOff.v
