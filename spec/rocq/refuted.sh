@@ -92,6 +92,8 @@ refuted 's/accept i best = best -> step/True -> step/' step_keeps Answer.v
 refuted 's/match compare (snd a) (snd b) with .* end/(snd a <? snd b)%N/' is_less_is_exact Answer.v
 refuted 's/Eq => (snd a <? snd b)%N/Eq => false/' is_less_is_exact Answer.v
 refuted 's/compare i j = Rcompare (exact_t i) (exact_t j)\./compare i j = Rcompare (value f) (value g)./' is_less_is_exact Answer.v
+refuted 's/if wanted i then kernel i else None/kernel i/' meet_accepts Filters.v
+refuted 's/ahead = \[\] \\\/ best <> None/True/' any_accepted Filters.v
 refuted 's/edge a b = 0 ->/0 = 0 ->/' same_edge Order.v
 refuted 's/is_through p ->/0 = 0 ->/' same_corner Order.v
 refuted 's/then CompOpp c else c/then c else c/' crosswise Order.v
