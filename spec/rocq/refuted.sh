@@ -92,6 +92,11 @@ refuted 's/accept i best = best -> step/True -> step/' step_keeps Answer.v
 refuted 's/match compare (snd a) (snd b) with .* end/(snd a <? snd b)%N/' is_less_is_exact Answer.v
 refuted 's/Eq => (snd a <? snd b)%N/Eq => false/' is_less_is_exact Answer.v
 refuted 's/compare i j = Rcompare (exact_t i) (exact_t j)\./compare i j = Rcompare (value f) (value g)./' is_less_is_exact Answer.v
+refuted 's/(snd l <? least)%N/(snd l <=? least)%N/' settled_is Settled.v
+refuted 's/Rlt_bool (fst l) near/Rle_bool (fst l) near/' settled_is Settled.v
+refuted 's/sub (fine_y way) (mul/add (fine_y way) (mul/' less_stands FineNear.v
+refuted 's/vz o + x \* vz d/vz o + x * vy d/' any_point_serves FineNear.v
+refuted 's/- u \* vx e1/- u * vx e2/' residual_corrects Corrected.v
 refuted 's/if wanted i then kernel i else None/kernel i/' meet_accepts Filters.v
 refuted 's/ahead = \[\] \\\/ best <> None/True/' any_accepted Filters.v
 refuted 's/edge a b = 0 ->/0 = 0 ->/' same_edge Order.v
