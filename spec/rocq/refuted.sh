@@ -126,6 +126,7 @@ refuted 's/then Bsucc (o_most a) else/then o_most a else/' narrow_keeps FramedSl
 refuted 's/pred (pred (pred/pred (pred (/g; s/Nat.iter 3 Bpred/Nat.iter 2 Bpred/' near_plane FramedSlabs.v
 refuted 's/- bpow radix2 (-149)) + start/- bpow radix2 (-151)) + start/' reported_near FramedEnds.v
 refuted 's/1 + bpow radix2 (-52)/1 + bpow radix2 (-54)/g' end_is_not_before FramedEnds.v
+refuted 's/(start + pred near)/(start + near)/' entrance_near FramedEnds.v
 refuted 's/12 \*/7 */g' within_is_enough Off.v
 refuted 's/(6 \*/(4 */g; s/6 \* v \*/4 * v */g; s/6 \* w \*/4 * w */g' within_det_is_enough Off.v
 refuted 's/9 \/ 2/7 \/ 2/g; s/9 \* (E \* v \* C)/7 * (E * v * C)/; s/81 \/ (78/63 \/ (78/' within_covers LanesOff.v

@@ -136,3 +136,30 @@ Proof.
   apply RX_mono. lra.
 Qed.
 End Ends.
+
+(** * From an entrance, in single precision *)
+
+Notation pred := (Ulp.pred radix2 (FLT_exp (-149) 24)).
+Notation succ := (Ulp.succ radix2 (FLT_exp (-149) 24)).
+
+(** [FromEntrance::pair] of src/geom/slabs/entrance.rs: distances from the entrance are rounded, so the floats next to them are on either
+    side, and so are the reported bounds, from an entrance that is known within bounds. [BOX-9] *)
+Theorem entrance_near start t0 tau near : F near -> 0 <= tau -> near <= R32 tau -> start <= t0 -> R32 (start + pred near) <= R32 (t0 + tau).
+Proof.
+  intros Fn Pt H S. apply round_le; try typeclasses eauto. apply Rplus_le_compat; [exact S|]. apply Rnot_lt_le. intros L.
+  assert (Fp : F (pred near)) by (apply generic_format_pred; [typeclasses eauto|exact Fn]).
+  assert (B : R32 tau <= pred near) by (apply round_le_generic; try typeclasses eauto; [exact Fp|lra]).
+  destruct (Req_dec near 0) as [Z|N]; [|pose proof (pred_lt_id radix2 (FLT_exp (-149) 24) near N); lra].
+  pose proof (pred_le_id radix2 (FLT_exp (-149) 24) near). lra.
+Qed.
+
+(** [BOX-9] *)
+Theorem entrance_far latest t0 tau far : F far -> R32 tau <= far -> t0 <= latest -> R32 (t0 + tau) <= R32 (latest + succ far).
+Proof.
+  intros Fr H S. apply round_le; try typeclasses eauto. apply Rplus_le_compat; [exact S|]. apply Rnot_lt_le. intros L.
+  assert (Fp : F (succ far)) by (apply generic_format_succ; [typeclasses eauto|exact Fr]).
+  assert (B : succ far <= R32 tau) by (apply round_ge_generic; try typeclasses eauto; [exact Fp|lra]).
+  destruct (Req_dec far 0) as [Z|N]; [|pose proof (succ_gt_id radix2 (FLT_exp (-149) 24) far N); lra].
+  rewrite Z, succ_0, (ulp_FLT_small radix2 (-149) 24) in B by (rewrite Rabs_R0; apply bpow_gt_0).
+  pose proof (bpow_gt_0 radix2 (-149)). lra.
+Qed.

@@ -219,12 +219,12 @@ Proof.
   apply Rmax_lub; [|eapply Rle_trans; [apply Rmin_l|exact B]]. eapply Rle_trans; [|apply Rmax_l]. pose proof (bpow_gt_0 radix2 128). lra.
 Qed.
 
-Lemma product_at_least x y t : is_finite x = true -> is_finite y = true -> t <= bpow radix2 127 -> R32 t <= R32 (B2R x * B2R y) ->
+Lemma product_at_least x y t : is_finite x = true -> is_finite y = true -> t <= bpow radix2 128 -> R32 t <= R32 (B2R x * B2R y) ->
   (if Rlt_bool t (bpow radix2 (-126)) then t - eta else t) <= R32 (B2R x * B2R y) -> at_least (times x y) (far_low t).
 Proof.
   intros Fx Fy Ht A B. destruct (times_at_least 24 128 eq_refl eq_refl 3 (or_intror eq_refl) x y t Fx Fy A) as [N V].
   split; [exact N|]. unfold far_low. apply Rmax_lub; [exact V|]. destruct (times_value 24 128 eq_refl eq_refl 3 (or_intror eq_refl) x y Fx Fy) as [_ ->].
-  eapply Rle_trans; [|apply Rmax_r]. apply Rmin_glb; [exact B|]. assert (bpow radix2 127 < bpow radix2 128) by (apply bpow_lt; lia).
+  eapply Rle_trans; [|apply Rmax_r]. apply Rmin_glb; [exact B|].
   pose proof (bpow_gt_0 radix2 (-150)). destruct (Rlt_bool _ _); lra.
 Qed.
 
@@ -246,7 +246,7 @@ Proof.
     apply product_at_most; try assumption; [now rewrite is_finite_Bopp|..]; rewrite Ex, B2R_Bopp, Vn, E; assumption.
 Qed.
 
-Lemma far_product b o d t : moderate b -> moderate o -> is_finite d = true -> bpow radix2 (-126) <= B2R d -> 0 <= t <= bpow radix2 127 ->
+Lemma far_product b o d t : moderate b -> moderate o -> is_finite d = true -> bpow radix2 (-126) <= B2R d -> 0 <= t <= bpow radix2 128 ->
   let f := Nat.iter 3 Bsucc (recip d) in
   (B2R o + t * B2R d <= B2R b -> at_least (times (minus b o) f) (far_low t)) /\
   (B2R b <= B2R o - t * B2R d -> at_least (times (minus b o) (Bopp f)) (far_low t)).
@@ -274,10 +274,10 @@ Proof.
   rewrite normal_least_value. repeat split; [lra|assumption].
 Qed.
 
-Lemma infinity_at_least t : t <= bpow radix2 127 -> at_least infinity (far_low t).
+Lemma infinity_at_least t : t <= bpow radix2 128 -> at_least infinity (far_low t).
 Proof.
   intros Ht. split; [reflexivity|]. unfold far_low. apply Rmax_lub; [apply Rmin_r|].
-  change (value infinity) with (bpow radix2 128). assert (bpow radix2 127 < bpow radix2 128) by (apply bpow_lt; lia).
+  change (value infinity) with (bpow radix2 128).
   pose proof (bpow_gt_0 radix2 (-150)). destruct (Rlt_bool _ _); lra.
 Qed.
 
@@ -310,7 +310,7 @@ Proof.
 Qed.
 
 (** One turn of the loop. *)
-Lemma narrow_keeps ends a o d t w : usual a -> is_within a o d -> touches a o d t -> 0 <= t <= bpow radix2 127 -> w <= far_low t ->
+Lemma narrow_keeps ends a o d t w : usual a -> is_within a o d -> touches a o d t -> 0 <= t <= bpow radix2 128 -> w <= far_low t ->
   at_most (fst ends) (near_top t) -> at_least (snd ends) w ->
   at_most (fst (narrow ends a)) (near_top t) /\ at_least (snd (narrow ends a)) w.
 Proof.
@@ -348,10 +348,10 @@ Qed.
 (** * The test *)
 
 (** A box that a ray within the bounds touches at t, from its entry on, is hit if the end is at least RN(t). near' is at most RN(t), and at
-    most t if nothing underflows; far' is at least all this likewise, as far as the end is. [BOX-8] *)
+    most t if nothing underflows; far' is at least all this likewise, as far as the end is. [BOX-8, BOX-9] *)
 Theorem framed_touched_is_hit x y z ox oy oz dx dy dz tmax t : usual x -> usual y -> usual z ->
   is_within x ox dx -> is_within y oy dy -> is_within z oz dz -> touches x ox dx t -> touches y oy dy t -> touches z oz dz t ->
-  0 <= t <= bpow radix2 127 -> at_least tmax (nearest t) ->
+  0 <= t <= bpow radix2 128 -> at_least tmax (nearest t) ->
   let '(near, far) := near_and_far (x :: y :: z :: nil) tmax in
   Bleb near far = true /\ at_most near (near_top t) /\ (forall w, w <= far_low t -> at_least tmax w -> at_least far w).
 Proof.
