@@ -92,6 +92,13 @@ refuted 's/accept i best = best -> step/True -> step/' step_keeps Answer.v
 refuted 's/match compare (snd a) (snd b) with .* end/(snd a <? snd b)%N/' is_less_is_exact Answer.v
 refuted 's/Eq => (snd a <? snd b)%N/Eq => false/' is_less_is_exact Answer.v
 refuted 's/compare i j = Rcompare (exact_t i) (exact_t j)\./compare i j = Rcompare (value f) (value g)./' is_less_is_exact Answer.v
+refuted 's/(snd l <? least)%N/(snd l <=? least)%N/' settled_is Settled.v
+refuted 's/Rlt_bool (fst l) near/Rle_bool (fst l) near/' settled_is Settled.v
+refuted 's/sub (fine_y way) (mul/add (fine_y way) (mul/' less_stands FineNear.v
+refuted 's/vz o + x \* vz d/vz o + x * vy d/' any_point_serves FineNear.v
+refuted 's/- u \* vx e1/- u * vx e2/' residual_corrects Corrected.v
+refuted 's/if wanted i then kernel i else None/kernel i/' meet_accepts Filters.v
+refuted 's/ahead = \[\] \\\/ best <> None/True/' any_accepted Filters.v
 refuted 's/edge a b = 0 ->/0 = 0 ->/' same_edge Order.v
 refuted 's/is_through p ->/0 = 0 ->/' same_corner Order.v
 refuted 's/then CompOpp c else c/then c else c/' crosswise Order.v
@@ -110,6 +117,16 @@ refuted 's/(63 - shift)/(62 - shift)/' over_is_quotient Accumulator.v
 refuted 's/(sum, first || second)/(sum, second)/' step_is_right Accumulator.v
 refuted 's/radix2 (-200)/radix2 (-280)/' usual_multiple Usual.v
 refuted 's/(fmax (fx v) (fx w))/(fx v)/' scene_has_bounds Scene.v
+refuted 's/ + 5 <= 53/ + 4 <= 53/' nothing_is_rounded Coarse.v
+refuted 's/off + 3 <= 53/off + 2 <= 53/' nothing_is_rounded Coarse.v
+refuted 's/2 \* edges + 3 <= 53/2 * edges + 2 <= 53/' det_exact Coarse.v
+refuted 's/Z.shiftl 1 51/Z.shiftl 1 50/' shift_is LastDigit.v
+refuted 's/E - 50 + /E - 49 + /' units_divide LastDigit.v
+refuted 's/then Bsucc (o_most a) else/then o_most a else/' narrow_keeps FramedSlabs.v
+refuted 's/pred (pred (pred/pred (pred (/g; s/Nat.iter 3 Bpred/Nat.iter 2 Bpred/' near_plane FramedSlabs.v
+refuted 's/- bpow radix2 (-149)) + start/- bpow radix2 (-151)) + start/' reported_near FramedEnds.v
+refuted 's/1 + bpow radix2 (-52)/1 + bpow radix2 (-54)/g' end_is_not_before FramedEnds.v
+refuted 's/(start + pred near)/(start + near)/' entrance_near FramedEnds.v
 refuted 's/12 \*/7 */g' within_is_enough Off.v
 refuted 's/(6 \*/(4 */g; s/6 \* v \*/4 * v */g; s/6 \* w \*/4 * w */g' within_det_is_enough Off.v
 refuted 's/9 \/ 2/7 \/ 2/g; s/9 \* (E \* v \* C)/7 * (E * v * C)/; s/81 \/ (78/63 \/ (78/' within_covers LanesOff.v

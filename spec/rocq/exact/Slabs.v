@@ -8,7 +8,7 @@ Open Scope R_scope.
 Section Slabs.
 Variables prec emax : Z.
 Context (prec_pos : Prec_gt_0 prec) (prec_emax : Prec_lt_emax prec emax).
-(** How far a reciprocal is moved: STEPS of directed.rs, STRICT_STEPS of wide.rs. *)
+(** How far a reciprocal is moved: STEPS of directed.rs, STRICT_STEPS of slabs64.rs. *)
 Variable steps : nat.
 Hypothesis prec_6 : (6 <= prec)%Z.
 Hypothesis steps_2_3 : steps = 2%nat \/ steps = 3%nat.
@@ -31,7 +31,7 @@ Definition infinity : float := B754_infinity false.
 Definition minus (x y : float) : float := Bminus mode_NE x y.
 Definition times (x y : float) : float := Bmult mode_NE x y.
 
-(** [lesser] and [greater] of src/geom/slabs/mod.rs, and the comparisons of wide.rs: b, if either is a NaN. *)
+(** [lesser] and [greater] of src/geom/slabs/mod.rs, and the comparisons of doubled.rs: b, if either is a NaN. *)
 Definition lesser (a b : float) : float := if Bltb a b then a else b.
 Definition greater (a b : float) : float := if Bltb b a then a else b.
 
@@ -39,7 +39,7 @@ Definition greater (a b : float) : float := if Bltb b a then a else b.
 Definition moved (move : float -> float) (i : float) : float :=
   if Bsign i then Bopp (Nat.iter steps move (Bopp i)) else Nat.iter steps move i.
 
-(** One component of [Directed::new] and of [Wide::of]: the reciprocals for lo and for hi. Adding 0 makes -0 to 0. *)
+(** One component of [Directed::new] and of [Doubled::new]: the reciprocals for lo and for hi. Adding 0 makes -0 to 0. *)
 Definition reciprocal (d : float) : float := Bdiv mode_NE one (Bplus mode_NE d zero).
 Definition reciprocals (d : float) : float * float :=
   let is_zero := Beqb (Bplus mode_NE d zero) zero in
@@ -50,7 +50,7 @@ Definition reciprocals (d : float) : float * float :=
 (** One axis: origin, direction, lower and upper plane. *)
 Definition axis : Type := float * float * float * float.
 
-(** One turn of the loop of [near_and_far] in mod.rs, and of [Wide::pair]. *)
+(** One turn of the loop of [near_and_far] in mod.rs, and of [Doubled::pair]. *)
 Definition narrow (ends : float * float) (a : axis) : float * float :=
   let '(near, far) := ends in
   let '(o, d, lo, hi) := a in
