@@ -285,7 +285,7 @@ class Scene(Inside, Segments):
 
         Queries stay exact, and get slower the more the faces move relative to each other. With `optimize` parts of the
         hierarchy are then moved to better places, which takes a quarter of the time of a build. While another thread
-        asks the scene, this fails with a RuntimeError.
+        asks the scene, this fails with a RuntimeError, and so do queries of other threads while this runs.
 
         It looks for Ctrl-C, and calls ``progress(done, count)``, after each step: the numbers are checked, the vertices
         are moved, the hierarchy is optimized. After Ctrl-C the vertices are all the old ones or all the new ones.
