@@ -221,6 +221,8 @@ def main():
     parser.add_argument("--margin", type=float, default=8, help="MiB")
     parser.add_argument("--stall", type=float, default=60, help="seconds")
     options = parser.parse_args()
+    # A thread of C sees it also if no thread of Python can run.
+    faulthandler.dump_traceback_later(options.stall, exit=True)
     with tempfile.TemporaryDirectory() as folder, open(options.csv, "w", newline="") as file:
         soak, samples, start = Soak(folder), [], time.monotonic()
         soak.seen = [start] * THREADS
@@ -230,9 +232,8 @@ def main():
         rows = csv.writer(file)
         rows.writerow(["seconds", "resident_kib", *soak.counts[0]])
         while any(thread.is_alive() for thread in threads):
-            # By a thread of C, which sees it if this thread is stuck too.
             faulthandler.dump_traceback_later(options.stall + 5, exit=True)
-            threads[0].join(1)
+            time.sleep(1)
             now = time.monotonic()
             if any(now - seen > options.stall for seen, thread in zip(soak.seen, threads) if thread.is_alive()):
                 print(f"DEADLOCK: no progress for {options.stall:.0f} s", file=sys.stderr)
