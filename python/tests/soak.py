@@ -221,8 +221,8 @@ def main():
     parser.add_argument("--margin", type=float, default=8, help="MiB")
     parser.add_argument("--stall", type=float, default=60, help="seconds")
     options = parser.parse_args()
-    # A thread of C sees it also if no thread of Python can run.
-    faulthandler.dump_traceback_later(options.stall, exit=True)
+    # A thread of C sees it also if no thread of Python can run. The recording is slow on a busy machine.
+    faulthandler.dump_traceback_later(5 * options.stall, exit=True)
     with tempfile.TemporaryDirectory() as folder, open(options.csv, "w", newline="") as file:
         soak, samples, start = Soak(folder), [], time.monotonic()
         soak.seen = [start] * THREADS
