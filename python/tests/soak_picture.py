@@ -1,4 +1,4 @@
-"""Draws resident memory over time: python soak_picture.py LABEL=CSV... > soak.svg"""
+"""Draws memory over time: python soak_picture.py LABEL=CSV... > soak.svg"""
 
 import csv
 import sys
@@ -15,13 +15,16 @@ def steps(top):
 
 def main(arguments):
     curves = []
-    for label, path in (argument.split("=", 1) for argument in arguments):
+    for (label, path), colour in zip((argument.split("=", 1) for argument in arguments), COLOURS):
         with open(path, newline="") as file:
-            rows = [(float(row["seconds"]) / 60, int(row["resident_kib"]) / 1024) for row in csv.DictReader(file)]
-        # Of every ten seconds the most.
-        curves.append((label, [(rows[i][0], max(mib for _, mib in rows[i : i + 10])) for i in range(0, len(rows), 10)]))
-    across = steps(max(time for _, points in curves for time, _ in points) - 1e-6)
-    up = steps(max(mib for _, points in curves for _, mib in points))
+            rows = list(csv.DictReader(file))
+        for column, dash in (("resident_kib", ""), ("used_kib", "4 3")):
+            points = [(float(row["seconds"]) / 60, int(row[column]) / 1024) for row in rows]
+            # Of every ten seconds the most.
+            points = [(points[i][0], max(mib for _, mib in points[i : i + 10])) for i in range(0, len(points), 10)]
+            curves.append((f"{label}, {column.removesuffix('_kib')}", points, colour, dash))
+    across = steps(max(time for _, points, *_ in curves for time, _ in points) - 1e-6)
+    up = steps(max(mib for _, points, *_ in curves for _, mib in points))
 
     def x(time):
         return round(LEFT + (WIDTH - LEFT - RIGHT) * time / across[-1], 1)
@@ -39,10 +42,10 @@ def main(arguments):
         print(f'<text x="{x(time)}" y="{HEIGHT - BOTTOM + 20}" text-anchor="middle">{time}</text>')
     print(f'<text x="{x(across[-1] / 2)}" y="{HEIGHT - 8}" text-anchor="middle">minutes</text>')
     middle = y(up[-1] / 2)
-    print(f'<text x="16" y="{middle}" text-anchor="middle" transform="rotate(-90 16 {middle})">resident MiB</text>')
-    for (label, points), colour in zip(curves, COLOURS):
+    print(f'<text x="16" y="{middle}" text-anchor="middle" transform="rotate(-90 16 {middle})">MiB</text>')
+    for label, points, colour, dash in curves:
         line = "L".join(f"{x(time)} {y(mib)}" for time, mib in points)
-        print(f'<path d="M{line}" fill="none" stroke="{colour}" stroke-width="1.5"/>')
+        print(f'<path d="M{line}" fill="none" stroke="{colour}" stroke-width="1.5" stroke-dasharray="{dash}"/>')
         print(f'<text x="{x(points[-1][0]) + 8}" y="{y(points[-1][1]) + 4}" fill="{colour}">{label}</text>')
     print("</svg>")
 
