@@ -39,6 +39,7 @@ static int below(std::minstd_rand& random, int n) { return static_cast<int>(rand
 
 [[noreturn]] static void fail(const std::string& message)
 {
+    std::fflush(stdout);
     std::fprintf(stderr, "%s\n", message.c_str());
     std::_Exit(1);
 }
