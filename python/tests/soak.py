@@ -234,7 +234,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--minutes", type=float, default=30)
     parser.add_argument("--csv", default=os.devnull, help="a line for each second: memory, and how many calls ended")
-    parser.add_argument("--stall", type=float, default=60, help="seconds")
+    parser.add_argument("--stall", type=float, default=60, help="seconds, more on a busy machine")
     options = parser.parse_args()
     # A thread of C sees it also if no thread of Python can run. The recording is slow on a busy machine.
     faulthandler.dump_traceback_later(5 * options.stall, exit=True)

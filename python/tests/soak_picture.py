@@ -19,6 +19,8 @@ def main(arguments):
         with open(path, newline="") as file:
             rows = list(csv.DictReader(file))
         for column, dash in (("resident_kib", ""), ("used_kib", "4 3")):
+            if column not in rows[0]:
+                continue
             points = [(float(row["seconds"]) / 60, int(row[column]) / 1024) for row in rows]
             # Of every ten seconds the most.
             points = [(points[i][0], max(mib for _, mib in points[i : i + 10])) for i in range(0, len(points), 10)]
