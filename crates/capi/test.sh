@@ -63,11 +63,17 @@ for c in gcc clang; do
     "${memcheck[@]}" "$made/minimal"
 done
 for c in g++ clang++; do
-    "$c" "${warnings[@]}" -std=c++17 tests/wrapper.cpp -o "$made/wrapper" "${shared[@]}"
-    "$c" "${warnings[@]}" -std=c++17 "${sanitize[@]}" tests/wrapper.cpp -o "$made/wrapper-asan" "${static[@]}"
+    for test in wrapper soak; do
+        build=("$c" "${warnings[@]}" -std=c++17 -pthread "tests/$test.cpp")
+        "${build[@]}" -o "$made/$test" "${shared[@]}"
+        "${build[@]}" -o "$made/$test-asan" "${sanitize[@]}" "${static[@]}"
+    done
     "$made/wrapper" "$made/scene"
     "$made/wrapper-asan" "$made/scene"
     "${memcheck[@]}" "$made/wrapper" "$made/scene"
+    # The long form of it: benches/records/2026-11-30-soak.md.
+    "$made/soak" "$made" 3 > /dev/null
+    "$made/soak-asan" "$made" 3 > /dev/null
 done
 
 # Build as users do.

@@ -286,7 +286,7 @@ class Scene(Inside, Segments):
 
         Queries stay exact, and become slower the more the faces move relative to each other. `optimize` then moves
         parts of the hierarchy to better places, in a quarter of the time of a build. While another thread queries the
-        scene, this method fails with a RuntimeError.
+        scene, this method fails with a RuntimeError; so do queries of other threads while it runs.
 
         There are three steps: checking the numbers, moving the vertices, optimizing the hierarchy. After each step the
         method checks for Ctrl-C and calls ``progress(done, count)``. After Ctrl-C the vertices are all old or all new.

@@ -1,6 +1,7 @@
 """Work that takes long: its progress, Ctrl-C, other threads; and threads whose floats are of no use."""
 
 import os
+import platform
 import signal
 import subprocess
 import sys
@@ -151,3 +152,11 @@ def test_other_threads_run_while_rays_are_traced():
     done.set()
     thread.join()
     assert len(ticks) > 10
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="this system does not tell its memory")
+def test_a_soak_of_some_seconds():
+    soak = [sys.executable, os.path.join(os.path.dirname(__file__), "soak.py"), "--minutes", "0.08"]
+    ran = subprocess.run(soak, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    assert "memory: not judged" in ran.stdout
