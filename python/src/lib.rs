@@ -8,6 +8,7 @@ mod batch;
 mod errors;
 mod exact;
 mod file;
+mod held;
 mod inside;
 mod instances;
 mod memory;

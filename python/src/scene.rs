@@ -1,20 +1,19 @@
 //! A mesh with its hierarchy, as a Python object.
 
 use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{Builder, Stored};
 use stackless_bvh::geom::Mesh;
-use stackless_bvh::trace::Boundary;
 use stackless_scene::{SavedError, scene_from_bytes};
 
-use crate::arrays::{Rays, mesh, mesh_of, vertices_of};
+use crate::arrays::{Rays, mesh};
 use crate::batch::in_background;
 use crate::errors::refused;
 use crate::exact::ExactRays;
+use crate::held::Held;
 use crate::memory::{self, room};
 use crate::space::{Double, Single, Space, builder};
 use crate::threads::Threads;
@@ -31,14 +30,6 @@ pub(crate) struct Scene {
 enum Either {
     Single(Box<Held<Single>>),
     Double(Box<Held<Double>>),
-}
-
-/// A mesh, its hierarchy, and its boundary. Copies share them until one copy changes.
-#[derive(Clone)]
-struct Held<S: Space> {
-    mesh: Arc<Mesh<S::Vector>>,
-    bvh: Arc<S>,
-    boundary: OnceLock<Boundary>,
 }
 
 /// Evaluates an expression in either precision.
@@ -145,6 +136,15 @@ impl Scene {
         either!(self, _held, S => S::DTYPE)
     }
 
+    /// How often the vertices were moved.
+    #[getter]
+    fn refits(&self) -> u64 {
+        match &self.held {
+            Either::Single(held) => held.refits,
+            Either::Double(held) => held.refits,
+        }
+    }
+
     /// Memory of the mesh and of the hierarchy, in bytes.
     #[getter]
     fn bytes(&self) -> (usize, usize) {
@@ -218,7 +218,10 @@ impl Scene {
     }
 
     /// Rays with exact hits, from which rays can continue.
-    fn exact<'py>(&self, py: Python<'py>, rays: [Bound<'py, PyAny>; 4]) -> PyResult<ExactRays> {
+    fn exact<'py>(&self, py: Python<'py>, rays: [Bound<'py, PyAny>; 4], refits: u64) -> PyResult<ExactRays> {
+        if refits != self.refits() {
+            return Err(refused("the vertices were moved after these hits"));
+        }
         either!(self, held, S => exact::of_rays::<S>(py, (&held.mesh, &held.bvh), &Rays::new(rays.each_ref())?))
     }
 
@@ -327,74 +330,5 @@ impl Either {
             Self::Single(held) => file::to_bytes(&held.mesh, &held.bvh),
             Self::Double(held) => file::to_bytes(&held.mesh, &held.bvh),
         }
-    }
-}
-
-impl<S: Space<Vector: Stored> + 'static> Held<S> {
-    fn new(mesh: Mesh<S::Vector>, bvh: S) -> Self {
-        Self { mesh: Arc::new(mesh), bvh: Arc::new(bvh), boundary: OnceLock::new() }
-    }
-
-    fn build(
-        py: Python<'_>,
-        mesh: Mesh<S::Vector>,
-        builder: Builder,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Self> {
-        let count = mesh.triangles().len();
-        in_background(py, count, progress, move |tell| {
-            let bvh = S::build(&mesh, builder, tell)?;
-            Ok(Self::new(mesh, bvh))
-        })
-    }
-
-    /// Runs in three steps. After an error or Ctrl-C the vertices are all old or all new.
-    fn refit(
-        &mut self,
-        py: Python<'_>,
-        vertices: &Bound<'_, PyAny>,
-        optimize: bool,
-        progress: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<()> {
-        let (vertices, count) = (vertices_of::<S>(vertices)?, self.mesh.vertices().len());
-        if vertices.len() != count {
-            return Err(refused(format!("vertices: {} rows, expected {count} as the scene has", vertices.len())));
-        }
-        let (threads, steps) = (Threads::all(py)?, if optimize { 3 } else { 2 });
-        let look = |done: usize| {
-            py.check_signals()?;
-            progress.map_or(Ok(()), |progress| progress.call1((done, steps)).map(drop))
-        };
-        let mut triangles = room(self.mesh.triangles().len())?;
-        triangles.extend_from_slice(self.mesh.triangles());
-        let mesh = py.detach(|| threads.run(|| mesh_of::<S>(vertices, triangles)))?;
-        look(1)?;
-        if Arc::get_mut(&mut self.bvh).is_none() {
-            // A shared hierarchy is copied.
-            memory::check(self.bvh.bytes())?;
-        }
-        py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).refit(&mesh)))?;
-        (self.mesh, self.boundary) = (Arc::new(mesh), OnceLock::new());
-        look(2)?;
-        if optimize {
-            // An upper bound of the measured memory use.
-            memory::check_shared(self.bvh.bytes() + 448 * self.mesh.triangles().len(), threads.count())?;
-            py.detach(|| threads.run(|| Arc::make_mut(&mut self.bvh).optimize()))?;
-            look(3)?;
-        }
-        Ok(())
-    }
-
-    /// Two threads may compute the boundary at the same time, with equal results. No thread waits for another thread: a
-    /// forked child does not have the parent's threads.
-    fn boundary(&self, py: Python<'_>) -> PyResult<&Boundary> {
-        if let Some(boundary) = self.boundary.get() {
-            return Ok(boundary);
-        }
-        let threads = Threads::all(py)?;
-        // An upper bound of the measured memory use.
-        memory::check(48 * self.mesh.vertices().len() + 448 * self.mesh.triangles().len())?;
-        let boundary = py.detach(|| threads.run(|| Boundary::of(&self.mesh)));
-        Ok(self.boundary.get_or_init(|| boundary))
     }
 }

@@ -123,8 +123,8 @@ class Hits:
         Raises
         ------
         ValueError
-            Shapes do not fit, a number is not finite, a direction is zero, or the arrays of the rays have changed.
-            Unpickled hits, and hits of `Instances`, have no rays.
+            Shapes do not fit, a number is not finite, a direction is zero, the arrays of the rays have changed, or the
+            scene was refitted since. Unpickled hits, and hits of `Instances`, have no rays.
 
         Examples
         --------

@@ -160,7 +160,8 @@ class Scene(Inside, Segments):
         (array([ 2., inf]), array([ 0, -1]), array([0.25, 0.5 ]))
         """
         native, asked = self._native, self._rays(origins, directions, tmin, tmax)
-        return Hits(*native.closest(asked, progress), _rays=partial(native.exact, asked))
+        exact = partial(native.exact, asked, native.refits)
+        return Hits(*native.closest(asked, progress), _rays=exact)
 
     def any(
         self,

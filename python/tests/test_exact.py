@@ -36,6 +36,18 @@ def test_a_closed_surface_keeps_every_bounce(sphere, dtype):
     assert hits.hit.all()
 
 
+def test_hits_end_with_the_mesh_that_they_were_on(sphere, dtype):
+    hits = sphere.closest(np.zeros(3, dtype), directions(5, dtype))
+    outside = hits.toward(np.full(3, 9, dtype))
+    sphere.refit(2 * sphere.vertices)
+    for go_on in (hits.continue_with, hits.toward):
+        with pytest.raises(ValueError, match="the vertices were moved after these hits"):
+            go_on(np.ones(3, dtype))
+    # Rays that were made before keep the mesh of their origins.
+    assert not outside.any().all()
+    assert len(sphere.closest(np.zeros(3, dtype), directions(5, dtype)).continue_with(np.ones(3, dtype))) == 5
+
+
 def test_segments_end_where_they_are_told(sphere, dtype):
     vertices = sphere.vertices
     a = directions(20_000, dtype) * dtype(0.1)
