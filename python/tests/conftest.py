@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
-# Builds of CI share two slow cores: no example is too slow, and the same ones come each time.
+# CI builds share two slow cores, so examples have no deadline. The examples are the same in each run.
 settings.register_profile("ci", deadline=None, derandomize=True, max_examples=400)
 settings.register_profile("long", deadline=None, max_examples=5000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))

@@ -1,6 +1,6 @@
-"""What is true of rays, points and triangles, in rational arithmetic: slow, plain, and without a line of the library.
+"""The truth about rays, points and triangles, in rational arithmetic: slow, plain, and without code of the library.
 
-A mesh is a list of vertices and a list of faces; numbers are taken as the rational ones that they are.
+A mesh is a list of vertices and a list of faces. Each float is converted to its exact rational value.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def corners(vertices, face):
 
 
 def meet(triangle, origin, direction):
-    """Distance and weights (t, u, v) where a line meets a closed triangle, or None (Möller & Trumbore 1997)."""
+    """Returns distance and weights where a line meets a closed triangle, or None (Möller & Trumbore 1997)."""
     a, b, c = triangle
     e1, e2, s = minus(b, a), minus(c, a), minus(origin, a)
     p = cross(direction, e2)
@@ -49,7 +49,7 @@ def within(t, tmin, tmax):
 
 
 def all_hits(vertices, faces, origin, direction, tmin=0.0, tmax=inf, dtype=np.float64):
-    """All hits (t rounded, face, t, u, v, place) in the order (t, face)."""
+    """Returns all hits (t rounded, face, t, u, v, place) in the order (t, face)."""
     origin, direction = vector(origin), vector(direction)
     found = []
     for face, indices in enumerate(faces):
@@ -62,7 +62,7 @@ def all_hits(vertices, faces, origin, direction, tmin=0.0, tmax=inf, dtype=np.fl
 
 
 def crossings(vertices, faces, origin, direction):
-    """How many triangles a ray without end crosses after its origin is moved by very little in a general direction.
+    """Counts the triangles that an infinite ray crosses, from an origin moved by very little in a general direction.
 
     For coordinates that are small multiples of 1/8 and an origin that is not on the mesh.
     """
@@ -74,7 +74,7 @@ def crossings(vertices, faces, origin, direction):
 
 
 def nearest_square(triangle, point):
-    """The square of the distance from a point to a triangle, and the nearest point. Without area it is its edges."""
+    """Returns the squared distance from a point to a triangle, and its nearest point. Without area, it is its edges."""
     a, b, c = triangle
     candidates = [on_segment(point, *ends) for ends in [(a, b), (b, c), (c, a)]]
     hit = meet(triangle, point, cross(minus(b, a), minus(c, a)))
@@ -99,7 +99,7 @@ def has_area(triangle):
 
 
 def rounded(x, dtype):
-    """The float nearest to a rational number, ties to even."""
+    """Returns the float nearest to a rational number, ties to even."""
     near = dtype(float(x))
     if dtype is np.float64 or not np.isfinite(near):
         return near
@@ -110,7 +110,7 @@ def rounded(x, dtype):
 
 
 def is_rounded_root(root, square):
-    """Whether a float is the nearest of its dtype to the root of a rational number."""
+    """Returns whether a float is the nearest one of its dtype to the root of a rational number."""
     low, high = (np.nextafter(root, type(root)(end)) for end in (-inf, inf))
     middle = lambda a: (Fraction(float(a)) + Fraction(float(root))) / 2
     return max(middle(low), Fraction(0)) ** 2 <= square <= middle(high) ** 2

@@ -28,7 +28,7 @@ import numpy as np
 from stackless_bvh import Instances, Scene
 
 THREADS, RAYS = 8, 600
-# In MiB, of resident and of used memory. The heap is resident where it was used once, so the former comes to rest late.
+# In MiB, of resident and of used memory. Freed heap memory stays resident, so resident memory settles late.
 MARGIN = (16, 1)
 # All threads of the pool, the calling thread only, one row.
 ROWS = [slice(0, RAYS), slice(100, 140), slice(7, 8)]
@@ -40,7 +40,7 @@ def rule(scene):
     return "parity" if scene.is_closed else "winding"
 
 
-# Of rays from `o` along `d`, and of the points `o + d`. The first two are those of instances too.
+# Queries of rays from `o` along `d`, and of the points `o + d`. Instances have the first two queries too.
 QUERIES = {
     "closest": lambda s, o, d: s.closest(o, d),
     "any": lambda s, o, d: s.any(o, d, tmax=0.5),
@@ -54,7 +54,7 @@ QUERIES = {
     "continue_with": lambda s, o, d: s.closest(o, d).continue_with(-d).closest(),
     "toward": lambda s, o, d: s.closest(o, d).toward(o[::-1] + 3).any(),
 }
-# Of two calls, between which no other thread may refit the scene.
+# Queries that call twice: no other thread may refit the scene between the calls.
 TWO_CALLS = {"continue_with", "toward"}
 
 
@@ -128,7 +128,7 @@ class Soak:
         return Instances(scenes, np.arange(len(self.maps)) % 2, self.maps)
 
     def again(self, way, mesh, draw):
-        """The scene of a mesh, made again."""
+        """Returns the scene of a mesh, created again."""
         if way == "build":
             return Scene(*self.meshes[mesh], build=draw.choice(BUILDS))
         if way == "save_and_load":
@@ -167,7 +167,7 @@ class Soak:
             self.stop.set()
 
     def check(self, draw, count, mesh, scene, states=None):
-        """Compares the answer to one query with those to the same query of a mesh, or of several states of it."""
+        """Compares an answer with the recorded answer for the mesh, or with those for several states of the mesh."""
         _, query, i = draw.choice([case for case in self.cases[mesh] if not states or case[1] not in TWO_CALLS])
         found = answer(query, scene, self.rays[mesh[:2]], ROWS[i])
         states = states() if states else [mesh[2]]
@@ -206,13 +206,13 @@ class Soak:
 
 
 class Heap(ctypes.Structure):
-    """What `mallinfo2` of glibc returns."""
+    """The result of `mallinfo2` of glibc."""
 
     _fields_ = [(name, ctypes.c_size_t) for name in "arena 1 2 3 mapped 5 6 used 8 9".split()]
 
 
 def memory():
-    """In KiB: resident memory, and what was allocated and not freed."""
+    """Returns, in KiB, the resident memory, and the memory that is allocated and not freed."""
     with open("/proc/self/statm") as statm:
         pages = int(statm.read().split()[1])
     heap = MALLINFO()
@@ -220,7 +220,7 @@ def memory():
 
 
 def growth(samples):
-    """How many MiB the median of the last third exceeds that of the first third by, after the warm-up."""
+    """Returns, in MiB, the median of the last third less that of the first third, after the warm-up."""
     samples = samples[len(samples) // 10 :]
     third = len(samples) // 3
     return (np.median(samples[-third:], axis=0) - np.median(samples[:third], axis=0)) / 1024
@@ -236,7 +236,7 @@ def main():
     parser.add_argument("--csv", default=os.devnull, help="a line for each second: memory, and how many calls ended")
     parser.add_argument("--stall", type=float, default=60, help="seconds, more on a busy machine")
     options = parser.parse_args()
-    # A thread of C sees it also if no thread of Python can run. The recording is slow on a busy machine.
+    # A thread in C detects a hang even if no Python thread can run. The recording is slow on a busy machine.
     faulthandler.dump_traceback_later(5 * options.stall, exit=True)
     with tempfile.TemporaryDirectory() as folder, open(options.csv, "w", newline="") as file:
         soak, samples, start = Soak(folder), [], time.monotonic()

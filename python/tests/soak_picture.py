@@ -8,7 +8,7 @@ COLOURS = ["#1f77b4", "#d62728", "#2ca02c"]
 
 
 def steps(top):
-    """About five round numbers from 0 up."""
+    """Returns about five round numbers, from 0 up."""
     step = next(n for e in range(9) for n in (10**e, 2 * 10**e, 5 * 10**e) if top <= 6 * n)
     return range(0, int(top) + step + 1, step)
 
@@ -22,7 +22,7 @@ def main(arguments):
             if column not in rows[0]:
                 continue
             points = [(float(row["seconds"]) / 60, int(row[column]) / 1024) for row in rows]
-            # Of every ten seconds the most.
+            # The maximum of every ten seconds.
             points = [(points[i][0], max(mib for _, mib in points[i : i + 10])) for i in range(0, len(points), 10)]
             curves.append((f"{label}, {column.removesuffix('_kib')}", points, colour, dash))
     across = steps(max(time for _, points, *_ in curves for time, _ in points) - 1e-6)

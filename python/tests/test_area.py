@@ -1,4 +1,4 @@
-"""Meshes that all rays miss are told when they are made."""
+"""Meshes that all rays miss cause a warning when they are created."""
 
 import warnings
 

@@ -1,4 +1,4 @@
-"""What bad arrays get: one line that names the argument, and the row where there is one."""
+"""Invalid arrays: the error is one line that names the argument, and the row if there is one."""
 
 from pathlib import Path
 from types import SimpleNamespace

@@ -1,4 +1,4 @@
-"""Rays that go on from hits, and segments: exact where rounded ones are not."""
+"""Rays that continue from hits, and segments: exact where rays with rounded origins or directions are not."""
 
 import pickle
 
@@ -43,7 +43,7 @@ def test_hits_end_with_the_mesh_that_they_were_on(sphere, dtype):
     for go_on in (hits.continue_with, hits.toward):
         with pytest.raises(ValueError, match="the vertices were moved after these hits"):
             go_on(np.ones(3, dtype))
-    # Rays that were made before keep the mesh of their origins.
+    # Rays created before the refit keep the mesh of their origins.
     assert not outside.any().all()
     assert len(sphere.closest(np.zeros(3, dtype), directions(5, dtype)).continue_with(np.ones(3, dtype))) == 5
 
@@ -56,7 +56,7 @@ def test_segments_end_where_they_are_told(sphere, dtype):
     assert hits.hit.all() and (hits.t == 1).all(), "a segment does not touch its end"
     assert sphere.segments(a, b).any().all()
     assert not sphere.segments(a, b, closed=False).any().any()
-    # The rounded direction is not the same question.
+    # Rays with the rounded direction have other answers.
     assert not sphere.any(a, b - a, tmax=1).all()
 
 

@@ -1,4 +1,4 @@
-"""Files of scenes: what is written over, links, errors of the system, progress and Ctrl-C."""
+"""Files of scenes: overwriting, links, errors of the system, progress and Ctrl-C."""
 
 import os
 import signal
@@ -16,7 +16,7 @@ SCENE = Scene(*octasphere(1))
 
 @pytest.fixture(scope="module")
 def large():
-    """A scene that takes some tenths of a second to be saved."""
+    """Returns a scene that takes some tenths of a second to save."""
     return Scene(np.random.default_rng(1).random((900_000, 3)), np.arange(900_000).reshape(-1, 3), "median")
 
 
@@ -137,14 +137,14 @@ def test_an_array_that_is_resized_meanwhile_is_refused(dtype):
             resize = lambda *_: array.resize((rows, 3), refcheck=False)
             with pytest.raises(RuntimeError, match=f"{name}: resized while it was read"):
                 ask(array, resize)
-    # What a program may do: the numbers may change.
+    # A program may change the numbers meanwhile.
     points = np.zeros((count, 3), dtype)
     inside = scene.contains(points, progress=lambda *_: points.__setitem__(slice(None), 9))
     assert inside[:65536].all() and not inside[65536:].any()
 
 
 def wait_for(condition):
-    """A thread that was given up ends when it next can."""
+    """Waits: a cancelled thread ends at its next check."""
     for _ in range(100):
         if condition():
             return

@@ -1,4 +1,4 @@
-"""Closed meshes, and which points are inside of them."""
+"""Closed meshes, and the points inside them."""
 
 import numpy as np
 import pytest
@@ -31,7 +31,7 @@ def both(one, other):
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_a_vertex_in_the_middle_of_an_edge_leaves_a_mesh_closed(dtype):
     vertices, faces = box(dtype=dtype)
-    # The first face is cut at the middle of an edge, and its neighbour there is not.
+    # The first face is divided at the middle of an edge; its neighbour at this edge is not.
     (a, b, c), middle = faces[0], len(vertices)
     vertices = np.concatenate([vertices, [(vertices[a] + vertices[b]) / 2]]).astype(dtype)
     scene = Scene(vertices, [[a, middle, c], [middle, b, c], *faces[1:]])
@@ -40,7 +40,7 @@ def test_a_vertex_in_the_middle_of_an_edge_leaves_a_mesh_closed(dtype):
     inside = scene.contains(points, boundary=False)
     assert np.array_equal(inside, within(points)) and inside.sum() > 300
     assert np.array_equal(scene.contains(points), within(points) | on(points))
-    # An ulp beside the edge is a gap.
+    # A vertex one ulp off the edge makes a gap.
     vertices[middle] += np.spacing(vertices[middle].astype(dtype) + 1)
     assert not Scene(vertices, scene.faces).is_closed
 
@@ -87,7 +87,7 @@ def test_a_rule_that_does_not_fit_is_an_error():
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_winding_numbers_of_open_meshes_are_those_of_what_is_seen(dtype):
     vertices, faces = box(dtype=dtype)
-    # The middle sees each side under the same angle.
+    # From the middle, all faces have equal solid angles.
     points = np.array([[0.5, 0.5, 0.5], [0.5, 0.5, -2.0], [3.0, 0.5, 0.5]], dtype)
     for missing in range(12):
         assert abs(Scene(vertices, faces[missing:]).winding_number(points)[0] - (12 - missing) / 12) < 1e-12

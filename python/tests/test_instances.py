@@ -12,7 +12,7 @@ def image(corner, rows):
 
 
 def closest_image(placed, origin, direction):
-    """The least (t, path, face) of all (path, triangles), or that of a miss."""
+    """Returns the least (t, path, face) of all (path, triangles), or that of a miss."""
     found = [
         (oracle.rounded(hit[0], np.float32), path, face)
         for path, triangles in placed
@@ -69,7 +69,7 @@ def test_instances_of_instances_are_the_exact_images():
     outer = Instances([inner, leaf], [0, 0, 1], outer_maps)
     told = []
     top = Instances([outer, inner], [0, 1], top_maps, progress=lambda *done: told.append(done))
-    # Nothing but groups: no face is put in a hierarchy.
+    # All parts are groups, so the progress counts no faces.
     assert all(done == (0, 0) for done in told)
     of_inner = [((i,), images(triangles_of(leaf), rows)) for i, rows in enumerate(inner_maps)]
     of_outer = [
@@ -100,7 +100,7 @@ def test_an_instance_that_is_not_moved_has_the_answers_of_its_scene():
     scene = Scene(vertices, faces)
     instances = Instances([scene], [0], np.eye(4, dtype=np.float32)[None])
     origins, directions = some_rays(np.float32, 2000, 3)
-    # Half of them at vertices, where faces are equally far.
+    # Half of the rays aim at vertices, where several faces are equally far.
     directions[::2] = vertices[np.arange(1000) % len(vertices)] - origins[::2]
     hits, expected = instances.closest(origins, directions), scene.closest(origins, directions)
     assert expected.hit.sum() > 1000 and np.array_equal(hits.instance, np.where(expected.hit, 0, -1))

@@ -1,4 +1,4 @@
-"""Work that takes long: its progress, Ctrl-C, other threads; and threads whose floats are of no use."""
+"""Long calls: progress, Ctrl-C and other threads; and threads whose floating-point mode is unusable."""
 
 import os
 import platform
@@ -68,13 +68,13 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 from stackless_bvh import Scene
 vertices = np.random.default_rng(1).random((6_000_000, 3))
 faces, told = np.arange(6_000_000).reshape(-1, 3), []
-# When the building has begun.
+# Print this when the construction has begun.
 progress = lambda *done: told.append(done) or len(told) == 5 and print("begun", flush=True)
 try:
     Scene(vertices, faces, "best", progress)
 except KeyboardInterrupt:
     print("interrupted", all(0 <= done <= count == 2_000_000 for done, count in told), flush=True)
-# What is left of the work ends when it is next heard of, however busy the machine is.
+# The remaining work ends at its next check for interrupts. Wait for this, even on a busy machine.
 while True:
     used = time.process_time()
     time.sleep(1)

@@ -1,4 +1,4 @@
-"""Less memory than is asked for: an exception, never the end of the interpreter."""
+"""Insufficient memory: an exception, never the end of the interpreter."""
 
 import os
 import platform
@@ -13,7 +13,7 @@ from stackless_bvh import Scene
 
 resource = pytest.importorskip("resource", reason="this system does not limit memory")
 
-# What is asked runs with more and more memory, until it is enough. Each time it may fail in one way only.
+# The call runs with more and more memory, until this is enough. Until then each run must fail with MemoryError.
 LIMITED = """
 import ctypes, gc, resource, sys, tempfile
 import numpy as np
@@ -29,7 +29,7 @@ dtype = sys.argv[2]
 vertices, faces = octasphere(6, dtype)
 soup = np.random.default_rng(1).random((180_000, 3)).astype(dtype)
 soup_faces = np.arange(180_000).reshape(-1, 3)
-# Many faces in the way of each ray.
+# Each ray hits many faces.
 plates = np.tile(np.array([[-9, -9, 0], [9, -9, 0], [0, 9, 0]], dtype), (2000, 1))
 plates[:, 2] = np.repeat(np.arange(2000), 3)
 stack = Scene(plates, np.arange(6000).reshape(-1, 3))
@@ -40,7 +40,7 @@ scene.save(path)
 state = scene.__getstate__()
 
 def loose():
-    # Whose edges are not known yet.
+    # A scene whose edges are not computed yet.
     made = Scene(soup, soup_faces)
     return lambda: made.is_closed
 
@@ -87,7 +87,7 @@ QUERIES += ["pickle", "unpickle", "save", "load"]
 @pytest.mark.parametrize("dtype", ["float32", "float64"])
 def test_the_lack_of_memory_is_an_exception(query, dtype):
     command = [sys.executable, "-c", LIMITED, os.path.dirname(__file__), dtype, query]
-    # What is given back is not kept for the next time, nor for one thread.
+    # The allocator returns freed memory to the system, and all threads share one arena.
     environment = {**os.environ, "MALLOC_ARENA_MAX": "1", "MALLOC_TRIM_THRESHOLD_": "65536"}
     child = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert (child.stdout, child.returncode) == ("['MemoryError', 'enough']\n", 0), child.stderr

@@ -9,7 +9,7 @@ import pytest
 from stackless_bvh import Scene
 
 PART = Path(__file__).parents[2] / "examples/data/part.stl"
-# A concave polygon, and a vertex that no float32 is.
+# A concave polygon, and a vertex that float32 cannot represent.
 ARROW = "v 0 0 0\nv 4 0 0\nv 0.1 0.25 0\nv 0 4 0\n"
 
 
@@ -33,7 +33,7 @@ def test_double_precision_is_the_default_and_polygons_keep_their_outline(arrow):
     steps = []
     scene = Scene.load_mesh(str(arrow), progress=lambda done, count: steps.append((done, count)))
     assert scene.dtype == np.float64 and scene.vertices[2, 0] == 0.1 and len(scene.faces) == 2
-    # Beyond the inner corner there is nothing; a fan from the first corner would be there.
+    # There is no face beyond the inner corner; a fan from the first corner would have one.
     hits = scene.closest([[1, 1, 1], [0.05, 0.05, 1], [2, 0.05, 1]], [0, 0, -1])
     assert hits.hit.tolist() == [False, True, True]
     assert not steps or steps[-1] == (2, 2)

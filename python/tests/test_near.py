@@ -1,4 +1,4 @@
-"""How far: signed distances, and where on a face its nearest point is."""
+"""Signed distances, and the place of the nearest point on its face."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from stackless_bvh import Scene
 
 
 def distance_to_box(points, low=0.0, high=1.0):
-    """How far points of the grid are from the surface of a cube, rounded once: the squares are exact."""
+    """Returns the distances of grid points from the surface of a cube, rounded once: the squares are exact."""
     beyond = np.maximum(low - points, points - high)
     outside = np.sqrt((np.maximum(beyond, 0) ** 2).sum(axis=1))
     return np.where(beyond.max(axis=1) > 0, outside, -beyond.max(axis=1))
@@ -61,7 +61,7 @@ def test_details_say_where_on_the_face(dtype):
     corners = vertices[faces][near.primitive]
     eps = np.finfo(dtype).eps
     assert np.abs((weights[..., None] * corners).sum(axis=-2) - near.point).max() < 64 * eps
-    # In whole numbers this small a weight is 0, or much more than rounding changes.
+    # For whole numbers this small, a weight is 0 or much greater than rounding errors.
     assert np.array_equal((weights > 1e-4).sum(axis=-1), 3 - near.place)
     assert np.bincount(near.place.ravel(), minlength=3).min() > 200
     normal = np.cross(corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :])
@@ -73,7 +73,7 @@ def test_nothing_has_no_details():
     scene = Scene([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [2, 0, 0]], [[0, 1, 2], [0, 1, 3]])
     near = scene.nearest([[0, 0, 5], [9, 0, 9]], radius=[6, 1], k=2, details=True)
     assert near.place.tolist() == [[2, 2], [255, 255]] and np.isnan(near.uv[1]).all() and np.isnan(near.normal[1]).all()
-    # Without area there is no normal.
+    # A face without area has no normal.
     assert np.array_equal(near.normal[0], [[0, 0, 1], [np.nan] * 3], equal_nan=True)
     one = scene.nearest([[9, 9, 9]], radius=1, details=True)
     assert one.uv.shape == (1, 2) and one.place.tolist() == [255] and one.normal.shape == (1, 3)

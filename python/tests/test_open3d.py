@@ -1,4 +1,4 @@
-"""`RaycastingScene` by itself on meshes whose answers are known, and next to that of Open3D where it is installed."""
+"""`RaycastingScene` on meshes with known answers, and compared with that of Open3D if it is installed."""
 
 import re
 from pathlib import Path
@@ -12,14 +12,14 @@ from stackless_bvh import Scene
 from stackless_bvh.open3d import RaycastingScene
 
 NONE = RaycastingScene.INVALID_ID
-# A square of two triangles, seen counterclockwise from above, and below it a triangle that is seen from below.
+# A square of two triangles, counterclockwise from above, and below it a triangle, counterclockwise from below.
 SQUARE = np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0]], dtype=np.float64), np.array([[0, 1, 2], [1, 3, 2]])
 BELOW = np.array([[9, 9, 9], [0, 0, -1], [2, 0, -1], [0, 2, -1]], dtype=np.float64), np.array([[1, 3, 2]])
 NOTHING = CUBE, CUBE_FACES[:0]
 
 
 class Tensor:
-    """What is known of a tensor: that it has a method."""
+    """A stand-in for a tensor: it has only the method."""
 
     def __init__(self, array):
         self.array = np.asarray(array)
@@ -36,7 +36,7 @@ def scene_of(*meshes, dtype=np.float32):
 
 
 def check(found, expected, dtype):
-    """Compares answers by name with lists: all values and shapes, and the dtypes."""
+    """Compares all values, shapes and dtypes of answers with lists, by name."""
     assert found.keys() == expected.keys()
     for name, values in expected.items():
         kind = np.uint32 if "ids" in name or "splits" in name else dtype
@@ -184,7 +184,7 @@ def test_meshes_can_be_added_later_and_do_not_change():
     assert scene.add_triangles(np.float32(BELOW[0]), BELOW[1]) == 1
     assert scene.cast_rays(ray)["t_hit"] == 4
     assert scene.cast_rays(ray)["t_hit"].dtype == np.float32
-    # One mesh of float64 makes all of them float64.
+    # One mesh of float64 makes the whole scene float64.
     scene.add_triangles(BELOW[0] + [0, 0, 0.1], BELOW[1])
     assert scene.cast_rays(ray.astype(np.float64))["t_hit"] == 4 and scene.cast_rays(ray)["t_hit"].dtype == np.float64
 
@@ -214,7 +214,7 @@ def rays_of(origin, directions):
     return np.concatenate([np.broadcast_to(np.float32(origin), directions.shape), directions], axis=-1)
 
 
-# Directions are those that Open3D makes; test_cameras_are_those_of_open3d compares more.
+# The directions are those of Open3D; test_cameras_are_those_of_open3d compares more.
 CAMERAS = [
     (
         dict(fov_deg=90, center=[0, 0, 0], eye=[0, 0, 5], up=[0, 1, 0], width_px=2, height_px=3),
@@ -327,7 +327,7 @@ def test_answers_are_those_of_open3d_in_general_position(theirs):
         if not isinstance(our, dict):
             our, their = {query: our}, {query: their}
         assert our.keys() == their.keys()
-        # Nearest points are on an edge or a vertex as often as not, where the triangle is one of several.
+        # About half of the nearest points are on an edge or a vertex, where several triangles are correct.
         same = our["primitive_ids"] == their["primitive_ids"].numpy() if "primitive_ids" in our else True
         assert np.mean(same) > (0.5 if query == "compute_closest_points" else 0.9999)
         for name, found in our.items():
@@ -336,18 +336,18 @@ def test_answers_are_those_of_open3d_in_general_position(theirs):
             if found.dtype.kind == "f" and name not in ("primitive_uvs", "primitive_normals"):
                 assert np.allclose(found, expected, rtol=1e-4, atol=3e-3 if name == "points" else 1e-5), (query, name)
             elif found.dtype.kind == "f":
-                # Open3D rounds at each step, so that small triangles have normals and weights of few digits.
+                # Open3D rounds at each step, so normals and weights of small triangles have few correct digits.
                 assert np.abs(found - expected)[same].max() < 0.02, (query, name)
             elif name != "primitive_ids":
                 assert (found == expected).mean() > 0.9999, (query, name)
     our, their = ours.list_intersections(rays), theirs.list_intersections(rays)
     assert our.keys() == their.keys() and {a.dtype for a in our.values()} == {a.numpy().dtype for a in their.values()}
-    # Rays that Open3D hits as often: the others meet an edge, where it counts one or two hits.
+    # Compare only rays with equal counts: at an edge, Open3D counts one or two hits.
     counts = [np.diff(answers["ray_splits"].numpy().astype(int)) for answers in (our, their)]
     alike = counts[0] == counts[1]
     assert alike.mean() > 0.9999 and counts[0].sum() > len(rays)
     kept = [np.repeat(alike, count) for count in counts]
-    # Open3D has the hits of a ray in any order.
+    # Open3D returns the hits of a ray in any order.
     order = np.lexsort((their["t_hit"].numpy(), their["ray_ids"].numpy()))
     assert (np.lexsort((our["t_hit"], our["ray_ids"])) == np.arange(len(our["t_hit"]))).all()
     for name in ("ray_ids", "geometry_ids", "primitive_ids", "t_hit"):

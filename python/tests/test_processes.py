@@ -55,7 +55,7 @@ forks = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system does not
 
 
 def ran(*command, threads="2"):
-    """Output and status of a program; what it has started is ended with it, also if it hangs."""
+    """Runs a program and returns its output and status. Ends its child processes too, even if it hangs."""
     environment = {**os.environ, "RAYON_NUM_THREADS": threads, "OPENBLAS_NUM_THREADS": "1"}
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     program = subprocess.Popen(

@@ -1,4 +1,4 @@
-"""The proximity functions next to those of trimesh, where trimesh is right, and by themselves where it is not."""
+"""The proximity functions: compared with those of trimesh where trimesh is correct, otherwise tested alone."""
 
 import gc
 import inspect
@@ -19,7 +19,7 @@ POINTS = np.random.default_rng(5).uniform(-1.5, 1.5, (300, 3))
 ON, NORMALS = [], []
 for _mesh in MESHES:
     _faces = np.arange(0, len(_mesh.faces), 7)
-    # Points off the middles of faces: from there the other side is a face as well, not an edge.
+    # Points away from the middles of faces: the opposite point is then on a face too, not on an edge.
     ON.append(np.einsum("j,ijk->ik", [0.5, 0.3, 0.2], _mesh.triangles[_faces]))
     NORMALS.append(_mesh.face_normals[_faces])
 
@@ -54,7 +54,7 @@ def test_answers_are_those_of_trimesh(which, call):
         elif call == "vertex":
             assert np.array_equal(our, their)
         else:
-            # trimesh compares two of the faces that are equally near.
+            # trimesh compares only two of the equally near faces.
             toward = [((POINTS - ours[0]) * mesh.face_normals[faces]).sum(axis=1) for faces in (our, their)]
             assert (toward[0] > toward[1] - 1e-9).all() and (our == their).mean() > 0.8
 
@@ -71,7 +71,7 @@ def test_arguments_are_those_of_trimesh(name):
 def test_of_equally_near_faces_the_one_that_faces_the_point():
     box = trimesh.creation.box()
     axes = np.concatenate([np.eye(3), -np.eye(3)])
-    # The nearest point is a corner, of four faces or more; one side of the box looks at the point the most.
+    # The nearest point is a corner of four or more faces; one side of the box faces the point most directly.
     points = (axes[:, np.newaxis] * 2 + 1.25 * box.vertices.view(np.ndarray)).reshape(-1, 3)
     points = points[(np.abs(points) > 0.5).all(axis=1) & (np.abs(points) > 2).any(axis=1)]
     closest, distance, face = proximity.closest_point(box, points)

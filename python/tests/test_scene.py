@@ -1,4 +1,4 @@
-"""What scenes are beside their answers: arrays of any layout, files, new vertices."""
+"""Scenes apart from their answers: arrays of any layout, files, new vertices."""
 
 import doctest
 import os
@@ -98,7 +98,7 @@ def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
     vertices, faces = octasphere(1)
     soup = Scene(vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
     assert soup.is_closed and soup.is_oriented
-    # Zeros of both signs are one number.
+    # Zeros of either sign are equal.
     every_other = np.arange(len(soup.vertices))[:, np.newaxis] % 2 == 0
     assert Scene(np.where((soup.vertices == 0) & every_other, -0.0, soup.vertices), soup.faces).is_closed
     turned = faces.copy()
@@ -107,7 +107,7 @@ def test_a_mesh_is_closed_by_its_coordinates_whatever_its_indices():
     assert turned.is_closed and not turned.is_oriented
     random = np.random.default_rng(3).uniform(-1, 1, (500, 3))
     assert np.array_equal(turned.contains(random), soup.contains(random))
-    # A face that is there twice is a hole in the even-odd sense; one that is there three times is none.
+    # By the even-odd rule, a duplicate face is a hole, and a triplicate face is not.
     for copies, wrong in [
         (2, r"\(0, 6\) of faces\[0\] is in 3 faces, expected an even number \(3 such edges\)"),
         (3, None),
@@ -137,7 +137,7 @@ def test_points_on_the_surface_are_told_from_others(dtype):
     assert scene.contains(vertices).all() and not scene.contains(vertices, boundary=False).any()
     outward = vertices + np.sign(vertices) * np.spacing(np.abs(vertices))
     inward = vertices - np.sign(vertices) * np.spacing(np.abs(vertices))
-    # One float beyond a corner is outside of a convex mesh; one float before it is not on it.
+    # One float beyond a corner is outside of a convex mesh; one float before a corner is not on the surface.
     assert not scene.contains(outward).any()
     assert np.array_equal(scene.contains(inward), scene.contains(inward, boundary=False))
     assert scene.contains(inward).any()
@@ -146,7 +146,7 @@ def test_points_on_the_surface_are_told_from_others(dtype):
 def test_each_side_of_a_box_is_on_it(cube, dtype):
     vertices, faces = cube
     box = Scene(vertices.astype(dtype), faces)
-    # Points of sides, of edges, and at corners; all others of this grid are inside.
+    # The grid has points on sides, on edges and at corners; all other points are inside.
     steps = np.array([0, 0.25, 0.5, 1], dtype)
     points = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
     is_on = ((points == 0) | (points == 1)).any(axis=1)
@@ -176,7 +176,7 @@ def test_what_is_saved_is_loaded(dtype, tmp_path):
 
 
 def checksum(data):
-    """That of spec/bvh-file.md, so that forged files have the right one."""
+    """Computes the checksum of spec/bvh-file.md, so that forged files have a correct one."""
     total, word = len(data), 2**64 - 1
     data += bytes(8 - len(data) % 8)
     for at in range(0, len(data), 8):
@@ -198,7 +198,7 @@ def test_a_forged_file_is_refused(dtype, tmp_path):
     forged = [
         # The hierarchy of another mesh.
         (files[0][:mesh] + files[1][mesh:-8], None),
-        # A corner that is no vertex.
+        # A face with a vertex that does not exist.
         (files[0][: mesh - 12] + b"\xff\xff\0\0" + files[0][mesh - 8 : -8], "index 65535 is out of range"),
         # More vertices than there are bytes.
         (files[0][:16] + b"\xff" * 8 + files[0][24:-8], "fewer than the header says"),
@@ -226,14 +226,14 @@ def test_refit_moves_the_vertices_or_changes_nothing(dtype):
         with pytest.raises(ValueError):
             scene.refit(bad)
         assert same(scene.closest(origins, directions), after)
-    # A closed mesh can be torn.
+    # A refit can open a closed mesh.
     scene = Scene(vertices[faces].reshape(-1, 3), np.arange(3 * len(faces)).reshape(-1, 3))
     assert scene.is_closed
     torn = scene.vertices
     torn[0] += dtype(0.25)
     scene.refit(torn)
     assert not scene.is_closed
-    # A face may have an area that had none, and none that had one.
+    # A refit can give a face an area, or take its area.
     flat = Scene(np.eye(3, dtype=dtype)[[0, 1, 2, 2]], [[0, 1, 2], [1, 2, 3]])
     raised = np.array([[0, 1, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], dtype=dtype)
     flat.refit(raised)

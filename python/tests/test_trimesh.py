@@ -1,4 +1,4 @@
-"""The intersector for trimesh beside trimesh's own, where that is right, and by itself where it is not."""
+"""The intersector for trimesh: compared with trimesh's own where that is correct, otherwise tested alone."""
 
 import copy
 import pickle

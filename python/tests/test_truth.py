@@ -1,4 +1,4 @@
-"""Every query against rational arithmetic, on meshes and rays that hypothesis draws."""
+"""Every query is compared with rational arithmetic, on meshes and rays that hypothesis draws."""
 
 import numpy as np
 import oracle
@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from stackless_bvh import Scene
 
-# A grid of few points, so that rays meet edges and corners all the time; and floats of all sizes.
+# A grid of few points, so that rays often meet edges and corners; and floats of all magnitudes.
 GRID = st.integers(-8, 8).map(lambda x: x / 8)
 FLOATS = st.floats(-1000.0, 1000.0, width=32)
 EXTREME = st.one_of(
@@ -24,7 +24,7 @@ def points(numbers, count):
 
 @st.composite
 def meshes(draw, numbers):
-    """Up to eight vertices, and faces over them: any, so degenerate and repeated ones too."""
+    """Draws up to eight vertices, and arbitrary faces over them, also degenerate and repeated ones."""
     count = draw(st.integers(3, 8))
     index = st.integers(0, count - 1)
     faces = draw(st.lists(st.tuples(index, index, index), min_size=1, max_size=12))
@@ -33,7 +33,7 @@ def meshes(draw, numbers):
 
 @st.composite
 def questions(draw):
-    """A scene, and rays: some anywhere, some from anywhere through a vertex or the middle of an edge."""
+    """Draws a scene, and rays: arbitrary ones, and others through a vertex or the middle of an edge."""
     numbers = draw(st.sampled_from([GRID, FLOATS, EXTREME]))
     dtype = draw(DTYPES)
     vertices, faces = draw(meshes(numbers))
@@ -76,7 +76,7 @@ def test_rays_get_the_answers_of_rational_arithmetic(question):
 
 @st.composite
 def tetrahedra(draw):
-    """A closed mesh of some tetrahedra on the grid, whose faces may overlap, and points and directions on it."""
+    """Draws a closed mesh of tetrahedra on the grid, whose faces may overlap, and points and directions on the grid."""
     vertices, faces = [], []
     for _ in range(draw(st.integers(1, 3))):
         first = len(vertices)
@@ -106,7 +106,7 @@ def test_crossings_and_inside_are_those_of_a_ray_moved_by_very_little(mesh, dtyp
             assert inside[i] == strictly[i] == (truth % 2 == 1)
 
 
-# Also far away, where single precision would see one point; very small; and beyond the range of single precision.
+# Also far away, where all points round to one in single precision; very small; and beyond its range.
 PLACES = st.sampled_from([(0.0, 1.0), (6.4e6, 1.0), (1e9, 1.0), (0.0, 1e-50), (1.0, 1e50)])
 NUMBERS = st.one_of(GRID, st.floats(-1000.0, 1000.0))
 
@@ -136,10 +136,10 @@ def test_nearest_is_that_of_rational_arithmetic(mesh, asked, k, dtype, place, bu
             square, exact = truth[face]
             assert oracle.is_rounded_root(root, square)
             assert place.tolist() == [oracle.rounded(x, dtype) for x in exact]
-            # A radius is compared with what is not rounded.
+            # The radius is compared with the exact distance.
             within = scene.nearest(point, root).primitive[0] >= 0
             assert within == any(other <= oracle.Fraction(float(root)) ** 2 for other, _ in truth.values())
-        # The others are farther away, or as far and of a greater index.
+        # All other faces are farther away, or equally far with a greater index.
         assert found == sorted(found, key=lambda face: (distance[i, found.index(face)], face))
         worst = max((truth[face][0] for face in found), default=0)
         for face, (square, _) in truth.items():

@@ -1,5 +1,5 @@
-// What a page of `stackless explain` shows, beside what was recorded. It stands in a copy of the page, uses it by keyboard and
-// mouse as a reader does, looks at nothing but the document, and computes with numbers where the page works with digits.
+// Compares a page of `stackless explain` with the recording. This script runs in a copy of the page. It uses keyboard and mouse
+// like a reader, reads only the document, and computes with numbers where the page uses digits.
 
 (async () => {
   const data = JSON.parse(document.getElementById("data").textContent), find = (selector) => document.querySelector(selector);
@@ -18,7 +18,7 @@
   /** The cells of a row of bits, without its name and its sum. */
   const row = (name) => find(`tr[data-row="${name}"]`) && all(`tr[data-row="${name}"] td:not(.sum)`);
   const number = (cells) => BigInt(`0b${texts(cells).join("") || "0"}`);
-  /** Names of the nodes of the tree that are drawn in a way: that of the tip is never cut. */
+  /** Names of the nodes of the tree that are drawn in one style. The name in the tooltip is never shortened. */
   const labelled = (kind) => texts(all(`#tree .node.${kind} title`)).map((title) => title.split(":")[0]).sort();
   const names = (nodes) => nodes.map(label).sort();
 
@@ -103,12 +103,12 @@
     const [box, view] = [element.getBoundingClientRect(), find("#view").getBoundingClientRect()];
     return box.left > view.left - 1 && box.right < view.right + 1 && box.top > view.top - 1 && box.bottom < view.bottom + 1;
   };
-  /** All nodes are in the view, and nothing can be scrolled. */
+  /** All nodes are in the view, without scrolling. */
   function whole(when) {
     const view = find("#view");
     same(`the whole tree is in view, ${when}`, [view.scrollWidth <= view.clientWidth + 1, view.scrollHeight <= view.clientHeight + 1, all("#tree .node").every(visible)], [true, true, true]);
   }
-  /** The node and the postponed one that comes next are in view, and can be read. */
+  /** The node and the next postponed node are in view and readable. */
   function inView(recording, at) {
     const { node, stack, beyond = [], next } = recording.steps[at], top = stack.filter((it) => !beyond.includes(it)).at(-1);
     where = `${recording.method}, visit ${at + 1}`;
@@ -118,7 +118,7 @@
     same("both nodes can be read", text.every((it) => getComputedStyle(it).visibility === "visible" && it.getBoundingClientRect().height >= 10), true);
   }
 
-  /** Larger and smaller by buttons, keys and wheel: the tree grows by as much, and the whole of it comes back. */
+  /** Zooms by buttons, keys and wheel: the tree grows, and is whole again afterwards. */
   function sizes(recording, last, stride) {
     const width = () => find("#tree").getBoundingClientRect().width, small = width();
     where = `${recording.method}, sizes`;
@@ -132,7 +132,7 @@
       larger(); smaller(); smaller();
       same(`smaller by ${name}`, Math.abs(width() - small) < 2, true);
     }
-    // As large as it gets, both nodes are in view all the same; then as large again where they are close to each other.
+    // At the greatest size both nodes are still in view. The size returns to the greatest where they are close to each other.
     for (let i = 0; i < 12; i++) press("+");
     const most = width();
     same("the greatest size can be read", find("#tree").classList.contains("small"), false);
@@ -145,7 +145,7 @@
     whole("at the end");
   }
 
-  /** Each chip is a link that shows its clause, by a click and by its address. */
+  /** Each chip is a link: a click and its address both show the clause. */
   async function clauses(recording, wait) {
     where = `${recording.method}, clauses`;
     const shown = find("#clause");
@@ -168,7 +168,7 @@
     const wait = (time) => new Promise((done) => setTimeout(done, time));
     same("title", [document.title, find("h1").textContent], [data.title, data.title]);
     const places = data.keys.map((_, node) => middle(find(`#tree [data-node="${node}"]`)));
-    // Lines of levels whose numbers have no room are there, and not shown.
+    // A level whose number has no room has a line too, which is not shown.
     const lines = all("#tree line.level").map((line) => Number(line.getAttribute("y1"))), above = find("#tree").getBoundingClientRect().top;
     same("a line for each level", lines.length, 1 + Math.max(...data.keys.map((_, node) => depth(node))));
     same("nodes stand at their levels", places.every(([, y], node) => Math.abs(y - above - lines[depth(node)]) < 1), true);
@@ -179,7 +179,7 @@
       if (i < 9) press(String(i + 1));
       else { find("#method").value = recording.method; find("#method").dispatchEvent(new Event("change")); }
       press("Home");
-      // To look at all is slow where there are thousands of nodes and hundreds of visits.
+      // Checking every visit is slow for thousands of nodes and hundreds of visits.
       const stride = data.keys.length * last > 50000 ? 13 : 1;
       for (let at = 0; at <= last; at++) { inView(recording, at); if (at % stride === 0) look(recording, at); press("ArrowRight"); }
       for (let at = last; at >= 0; at--) { inView(recording, at); if (at % stride === 0) look(recording, at); press("ArrowLeft"); }

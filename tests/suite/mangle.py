@@ -1,4 +1,4 @@
-"""Answers as this library does, but for one mistake: mangle.py STACKLESS MISTAKE. Judges and runners have to see it."""
+"""Answers like this library, but with one mistake: mangle.py STACKLESS MISTAKE. Judges and runners must detect it."""
 
 import json
 import os
@@ -8,13 +8,13 @@ import time
 
 
 def words(reply, name):
-    """The list of a field, or an empty one."""
+    """Returns the list of a field, or an empty list."""
     value = reply.get("result", {}).get(name)
     return value if isinstance(value, list) else []
 
 
 def first(reply, name, change):
-    """Changes the first of a list that is not null."""
+    """Changes the first element that is not null."""
     for i, value in enumerate(words(reply, name)):
         if value is not None:
             reply["result"][name][i] = change(value)

@@ -1,4 +1,4 @@
-"""The dashboard: what is red leads to its first failure, and nothing that an adapter says is markup."""
+"""The dashboard: red cells link to their first failure, and text of an adapter is never markup."""
 
 import html.parser
 import sys
@@ -58,7 +58,7 @@ def test_cells_lead_to_first_failures():
     two = report("two", case("ray/grid/a", "pass"), case("key/u32/a", "pass"), case("ray/exact/a", "not-asked"))
     more = case("ray/grid/a", "fail", strength="may")
     page = Page(dashboard.page([one, two, report("three", more, case("key/u32/a", "error"))]))
-    # A table for rays, with all three, and one for keys, without the first.
+    # A table for rays with all three reports, and one for keys without the first.
     assert page.cells == [
         ["fail", "#0-ray-grid"],
         ["pass", None],
@@ -79,6 +79,6 @@ def test_what_others_say_is_text(evil):
 
 
 def test_the_page_of_peers_is_of_this_version():
-    """`tests/suite/peers.sh` makes it anew."""
+    """`tests/suite/peers.sh` writes it."""
     page = (SUITE / "peers.html").read_text()
     assert f"version {(SUITE / 'VERSION').read_text().strip()} of the suite" in page

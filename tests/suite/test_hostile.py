@@ -1,4 +1,4 @@
-"""The runner in Python takes the lines of hostile.json as `stackless conform` does (crates/suite/tests/suite/hostile.rs)."""
+"""The runner in Python judges the lines of hostile.json like `stackless conform` (crates/suite/tests/suite/hostile.rs)."""
 
 import json
 import sys
@@ -29,7 +29,7 @@ def outcome_of_answer(case, line):
         return "error"
     try:
         judge(case, {"features": [], "limits": {}}, reply)
-    except (Flaw, AttributeError, KeyError, TypeError, ValueError):  # as Run.ask has it
+    except (Flaw, AttributeError, KeyError, TypeError, ValueError):  # as in Run.ask
         return "fail"
     return "pass"
 

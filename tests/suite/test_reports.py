@@ -11,7 +11,7 @@ SOME = ["key/u32/*", "hash/keys/*", "trace/script/three*", "ray/grid/*-0"]
 
 
 def junit(path):
-    """Counts; and of each case its name, with what became of it, but no messages."""
+    """Returns counts, properties, and the name and outcome of each case, without messages."""
     suite = xml.etree.ElementTree.parse(path).getroot()
     counts = {name: suite.get(name) for name in ("name", "tests", "failures", "errors", "skipped")}
     cases = [(it.get("classname"), it.get("name"), [inside.tag for inside in it]) for it in suite.iter("testcase")]
@@ -19,7 +19,7 @@ def junit(path):
 
 
 def both(mistake, folder, *options, **more):
-    """What each of the runners did: exit status, JUnit, waivers, faults."""
+    """Runs both runners and compares all results but the text. Returns those of the runner in Python."""
     results = []
     for runner in NAMES:
         files = [folder / f"{runner}.{ending}" for ending in ("xml", "waivers")]
@@ -36,7 +36,7 @@ def both(mistake, folder, *options, **more):
 def test_junit_and_waivers_are_the_same(mistake, tmp_path):
     status, (counts, _, cases), waivers, _, _, _ = both(mistake, tmp_path)
     assert status == (mistake != "none") and len(waivers) == int(counts["failures"]) and len(cases) > 300
-    # With what is written a run succeeds.
+    # A run with the written waivers succeeds.
     path = tmp_path / "python.waivers"
     kept = tmp_path / "kept"
     kept.write_text(path.read_text())
@@ -46,9 +46,9 @@ def test_junit_and_waivers_are_the_same(mistake, tmp_path):
 @pytest.mark.parametrize(
     "ids, is_bad",
     [
-        (["key/u32/*", "trace/tape/*"], False),  # of other cases: passed over
+        (["key/u32/*", "trace/tape/*"], False),  # waivers of cases that are not chosen are ignored
         (["key/u32/*", "key/u64/*", "ray/exact/*"], False),
-        (["hash/keys/*"], True),  # not all that fails
+        (["hash/keys/*"], True),  # a chosen case fails without a waiver
     ],
 )
 def test_waivers_are_judged_the_same(ids, is_bad, tmp_path):
@@ -56,7 +56,7 @@ def test_waivers_are_judged_the_same(ids, is_bad, tmp_path):
     path.write_text(json.dumps([{"id": id, "reason": "known"} for id in ids]))
     status = both("turned", tmp_path, "--waivers", str(path), filters=["key/u32/child*", "key/u32/depth*"])[0]
     assert status == is_bad
-    # What passes needs none: by its own id a failure, as a pattern a fault.
+    # A case that passes needs no waiver: its id is then a failure, a pattern a fault.
     for id in ("key/u32/child-left-root", "key/u32/child*"):
         path.write_text(json.dumps([{"id": id, "reason": "known"}]))
         assert both("none", tmp_path, "--waivers", str(path), filters=["key/u32/child*"])[0] == 1
@@ -93,7 +93,7 @@ def test_level_and_first_failure(tmp_path):
 
 
 def test_the_basic_profile_is_named_first(tmp_path):
-    """Which failures come first, and what they say of more basic profiles, is the same in both runners."""
+    """The order of failures and the hints to more basic profiles are equal in both runners."""
     found = []
     for runner in NAMES:
         _, text, _ = run(runner, mangled("turned"), tmp_path, "--show", "40", filters=[*SOME, "resume/state/*"])
@@ -101,7 +101,7 @@ def test_the_basic_profile_is_named_first(tmp_path):
         found.append([line.partition(": fail: ")[0] for line in hints])
     assert found[0] == found[1]
     assert "  key/u32 fails too: look there first" in found[1] and found[1][0].startswith("key/u32/"), found[1]
-    # Who names one profile alone is told of what it rests on.
+    # A program that names only one profile gets a hint to the more basic one.
     filters = ["trace/tape/*-0"]
     hello = '{"protocol":1,"name":"x","profiles":["trace/tape"],"features":["changing"]}'
     wrong = ["sh", "-c", f"read h; echo '{hello}'; while read c; do echo '{{\"seq\":0,\"result\":{{}}}}'; done"]

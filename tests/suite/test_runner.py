@@ -1,4 +1,4 @@
-"""The runner in Python and the judges say of each case what `stackless conform` says, of right and wrong answers."""
+"""The runner in Python and the judges agree with `stackless conform` on each case, for correct and wrong answers."""
 
 import json
 import os
@@ -16,13 +16,13 @@ from test_schema import FILES, SUITE, check, served, vectors
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parents[1]
 STACKLESS = str(pathlib.Path(os.environ.get("STACKLESS", "target/debug/stackless")).resolve())
-# A few of each profile, and all of those that mistakes show in.
+# Some cases of each profile, and all cases that detect the mistakes.
 SOME = ["*1", "*2-*", "hash/build*", "ray/*-0", "ray/ulp*/*", "ray/grid/*zero*", "trace/script/three*", "resume/*/*-3"]
 NAMES = {"stackless": [STACKLESS, "conform", "--window", "1"], "python": [sys.executable, str(SUITE / "conform.py")]}
 
 
 def run(runner, command, folder, *options, filters=SOME):
-    """Exit status, text, and what is in the JSON file."""
+    """Returns the exit status, the text, and the content of the JSON file."""
     path = folder / f"{runner}.json"
     chosen = [word for pattern in filters for word in ("--filter", pattern)]
     words = [*NAMES[runner], *chosen, "--json", str(path), *options, "--", *command]
@@ -35,17 +35,17 @@ def mangled(mistake, *arguments):
     return [sys.executable, str(HERE / "mangle.py"), STACKLESS, mistake, *arguments]
 
 
-# What some mistakes need to be seen: words that are kept.
+# Some mistakes are visible only in a traversal that keeps these words.
 ARGUMENTS = {name: ["--method", "hashed"] for name in MISTAKES if "register" in name or "trail" in name}
 ARGUMENTS["other-counter"] = ["--method", "sparse"]
-# What the suite allows.
+# Changes that the suite allows, at least in some profiles.
 RIGHT = {"none", "negative-zero", "t-1-ulp", "t-8-ulp"}
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_both_runners_say_the_same(mistake, tmp_path):
     command = mangled(mistake, *ARGUMENTS.get(mistake, ()))
-    # Of silence each case takes its time.
+    # Each silent case takes the whole timeout.
     options = ["--timeout", "0.7"] if mistake == "silence" else []
     results = {runner: run(runner, command, tmp_path, *options) for runner in NAMES}
     outcomes = {}
@@ -64,7 +64,7 @@ def test_both_runners_say_the_same(mistake, tmp_path):
 
 
 def judged(command):
-    """What a judge says of each answer of the library, right and mangled; and what it should say."""
+    """Returns the verdict of a judge on each answer of the library, correct and mangled, with the expected verdict."""
     cases = [case for row in FILES for case in vectors(row["profile"])["cases"] if "valid" not in case["expect"]]
     chosen = cases[::5] + [case for case in cases if "ulp" in case["id"]]
     tests = []
@@ -107,7 +107,7 @@ def answers(mistake, ids, cases):
     asked = [i for i, reply in enumerate(replies) if "unsupported" not in reply]
     for i in asked:
         MISTAKES[mistake](replies[i])
-        # Judges do not know these.
+        # The judges do not support counters and registers.
         for name in ("counters", "registers"):
             replies[i].get("result", {}).pop(name, None)
     plain = {**hello, "features": [name for name in hello["features"] if name not in ("counters", "registers")]}
@@ -156,7 +156,7 @@ def test_the_skeletons_conform(runner, tmp_path):
 
 
 def is_gone(pid):
-    """Whether a process has ended, a little later: it may still be in the table, without doing anything."""
+    """Waits until a process has ended. Its entry may remain in the process table, as a zombie."""
     for _ in range(200):
         state = subprocess.run(["ps", "-o", "stat=", "-p", pid], capture_output=True, text=True).stdout.strip()
         if state == "" or state.startswith("Z"):
@@ -166,7 +166,7 @@ def is_gone(pid):
 
 
 def test_the_runner_in_python_is_not_fooled(tmp_path):
-    """Nothing asked, no program, an orphan, waivers that are old or of many."""
+    """No case, no program, a child process that outlives the program, and waivers: stale ones and patterns."""
     status, text, _ = run(
         "python", ["sh", "-c", 'read h; echo \'{"protocol":1,"name":"x","profiles":[]}\'; read b'], tmp_path
     )
@@ -177,7 +177,7 @@ def test_the_runner_in_python_is_not_fooled(tmp_path):
     orphan = ["sh", "-c", f"sleep 1000 > /dev/null & echo $! > {pids}; exec {' '.join(mangled('none'))}"]
     assert run("python", orphan, tmp_path, filters=["key/u32/child-*"])[0] == 0
     assert is_gone(pids.read_text().strip())
-    # Who is ended takes the program along.
+    # A runner that is ended ends the program too.
     for end in (signal.SIGTERM, signal.SIGHUP):
         pids.unlink()
         command = [*NAMES["python"], "--", "sh", "-c", f"echo $$ > {pids}; sleep 1000"]

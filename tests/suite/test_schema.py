@@ -1,4 +1,4 @@
-"""Every file of `spec/suite` and every answer of this library is as the schemas say; they refuse what is not."""
+"""Every file of `spec/suite` and every answer of this library matches its schema; the schemas refuse changed ones."""
 
 import copy
 import functools
@@ -48,7 +48,7 @@ def test_the_index_is():
 
 @functools.cache
 def served(*options):
-    """What this library says hello with, and its answers to all cases, each with its case."""
+    """Returns the hello of this library, and its answers to all cases, each with its case."""
     cases = [(row["profile"], case) for row in FILES for case in vectors(row["profile"])["cases"]]
     requests = [{"cmd": "hello", "protocol": 1}]
     for seq, (name, case) in enumerate(cases):
@@ -63,7 +63,7 @@ def served(*options):
 
 
 def test_what_this_library_answers_is():
-    """Of what it answers, and of the words it says hello with."""
+    """The hello of this library and each of its answers match their schemas."""
     hello, answered = served()
     check("hello", hello)
     for _, reply in answered:
@@ -72,7 +72,7 @@ def test_what_this_library_answers_is():
 
 
 def mutate(value, path, change):
-    """A copy in which what is at the path is changed."""
+    """Returns a copy in which the value at the path is changed."""
     value = copy.deepcopy(value)
     at = value
     for step in path[:-1]:

@@ -1,9 +1,9 @@
-// The page in the browser, beside what the native library answers. It stands in a copy of the page, uses it as a reader
-// does, by the document's elements alone, and reads colours from the canvases.
+// Compares the page in the browser with the answers of the native library. This script runs in a copy of the page. It uses
+// only the elements of the document, like a reader, and reads colours from the canvases.
 
 (async () => {
   const $ = (id) => document.getElementById(id), answers = window.answers, SIDE = 512;
-  // Of a page with a mistake, nobody waits for what does not come.
+  // On a page with a planted mistake, do not wait long for a missing result.
   const patience = window.name.startsWith("bad-") ? 4 : 20;
   let checks = 0, where = "start";
   function same(what, found, expected) {
@@ -19,14 +19,14 @@
   }
   const traced = () => until("the picture", () => $("status").textContent.endsWith(", traced"), 90);
   const pixels = (id) => $(id).getContext("2d").getImageData(0, 0, SIDE, SIDE).data;
-  /** As wasm/answers.rs hashes a picture. */
+  /** Hashes a picture like wasm/answers.rs. */
   function digest(bytes) {
     let sum = 0x811c9dc5;
     for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
     return (sum >>> 0).toString(16).padStart(8, "0");
   }
 
-  /** All that is shown of a scene that is traced; returns the pixels that are lost. */
+  /** Checks everything that the page shows of a traced scene; returns the lost pixels. */
   function look(name) {
     where = name;
     const { totals, pictures } = answers[name], { hits, lost, ghosts, other, digests } = totals;
@@ -51,7 +51,7 @@
     return gone;
   }
 
-  /** Where the middle of a pixel is in the window. Of clicks browsers tell whole numbers, so that in a small picture not all can be hit. */
+  /** The middle of a pixel, in the window. Browsers round clicks to whole numbers, so some pixels of a small picture cannot be hit. */
   function middle(at) {
     const box = $("inexact").getBoundingClientRect(), place = (i) => (i + 0.5) / SIDE;
     return [box.left + box.width * place(at % SIDE), box.top + box.height * place(Math.floor(at / SIDE))].map(Math.floor);
@@ -66,7 +66,7 @@
   }
   const page = () => $("steps").contentDocument;
 
-  /** The pixel is explained, and can be stepped through. */
+  /** Clicks a pixel, and checks its explanation and its steps. */
   async function steps(at, kind) {
     const before = page();
     click(at);

@@ -1,7 +1,7 @@
-"""Asks a program the cases of the conformance suite, one at a time: stackless-conform -- ./mine
+"""Runs the conformance suite against a program: stackless-conform -- ./mine
 
-It judges as `stackless conform` does, and writes the same reports. That one also asks many cases at once. The exit code is 0 if
-something was asked and nothing failed, 1 if not, and 2 if the program could not be asked.
+The verdicts and reports are those of `stackless conform`, which also sends many cases at once. The exit code is 0 if a case
+was sent and nothing failed, 1 otherwise, and 2 if the program could not run.
 """
 
 import argparse
@@ -28,8 +28,8 @@ def main():
         print(SUITE)
         return
     run = Run(args)
-    atexit.register(run.stop)  # however we end
-    for name in ("SIGTERM", "SIGHUP", "SIGQUIT"):  # Windows has the first one only
+    atexit.register(run.stop)  # for every exit
+    for name in ("SIGTERM", "SIGHUP", "SIGQUIT"):  # Windows has only SIGTERM
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), run.terminate)
     try:
@@ -50,7 +50,7 @@ def main():
     faults += run.bye()
     if not is_over:
         faults += not_shown(run.hello, verdicts)
-        # after a first failure nobody knows what the others need
+        # After a first failure, the need for other waivers is unknown.
         faults += waive.not_needed(waivers, verdicts)
     report = Report(run.hello, verdicts, faults, bases, not args.filter and args.level is None)
     for line in report.text(args.show, args.command):
@@ -65,7 +65,7 @@ def main():
 
 
 def load():
-    """The profiles, each with those that it rests on, and the cases, each with its profile."""
+    """Returns the profiles, each with the more basic ones, and the cases, each with its profile."""
     rows, cases = json.loads((SUITE / "index.json").read_text(encoding="utf-8"))["files"], []
     for row in rows:
         file = json.loads((SUITE / row["file"]).read_text(encoding="utf-8"))
@@ -88,7 +88,7 @@ def wrong_names(hello, profiles):
 
 
 def not_shown(hello, verdicts):
-    """Faults: profiles that are named, and of which no case was passed, waived, or failed that demands something."""
+    """Yields faults: named profiles without evidence. No case was run, or only advised cases were, and all failed."""
     for profile in dict.fromkeys(hello["profiles"]):
         rows = [row for row in verdicts if row["id"].rpartition("/")[0] == profile]
         asked = [row for row in rows if row["outcome"] != "not-asked"]
@@ -99,7 +99,7 @@ def not_shown(hello, verdicts):
 
 
 def ask_all(run, args, cases, waivers):
-    """What came of each case, and whether the run ended at the first failure."""
+    """Returns the result of each case, and whether the run ended at the first failure."""
     verdicts, silent, is_over = [], 0, False
     for seq, (profile, case) in enumerate(cases):
         outcome, what, reply = "not-asked", None, None
@@ -138,7 +138,7 @@ def size(value):
 
 
 def write(path, text):
-    """Whole or not at all."""
+    """Writes the file atomically."""
     beside = path.with_name(f".{path.name}.{os.getpid()}")
     beside.write_text(text + "\n", encoding="utf-8")
     os.replace(beside, path)
@@ -149,18 +149,18 @@ def arguments():
         prog="stackless-conform", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     add, file = parser.add_argument, pathlib.Path
-    add("--level", choices=LEVELS, help="cases of this level only")
-    add("--filter", action="append", default=[], help="ids of cases, with * and ?; several times")
-    add("--json", type=file, metavar="FILE", help="write what came of each case")
-    add("--junit", type=file, metavar="FILE", help="the same as XML that build servers read")
-    add("--waivers", type=file, metavar="FILE", help="cases that are known to fail (schema/waivers.json)")
+    add("--level", choices=LEVELS, help="run only cases of this level")
+    add("--filter", action="append", default=[], help="run only cases with a matching id (* and ?); repeatable")
+    add("--json", type=file, metavar="FILE", help="write the result of each case, as JSON")
+    add("--junit", type=file, metavar="FILE", help="write the results as JUnit XML, for build servers")
+    add("--waivers", type=file, metavar="FILE", help="expect the failures in this file (schema/waivers.json)")
     add("--write-waivers", type=file, metavar="FILE", help="write the waivers with which this run succeeds")
     add("--timeout", type=seconds, default=10, help="seconds to wait for an answer")
     add("--budget", type=seconds, default=1800, help="seconds for the whole run")
-    add("--fail-fast", action="store_true", help="end at the first case that fails")
-    add("--show", type=int, default=10, help="failures to print")
-    add("--stderr", action="store_true", help="let the program's standard error through")
-    add("--folder", action="store_true", help="print where the suite's files are: vectors, adapters, judges")
+    add("--fail-fast", action="store_true", help="stop at the first failing case")
+    add("--show", type=int, default=10, help="number of failures to print")
+    add("--stderr", action="store_true", help="show the program's standard error")
+    add("--folder", action="store_true", help="print the folder of the suite's files: vectors, adapters, judges")
     add("--version", action="version", version=f"suite {VERSION}")
     add("command", nargs="*", help="the program and its arguments, after --")
     args = parser.parse_args()

@@ -12,18 +12,18 @@ NESTING = 127
 
 
 class Flaw(Exception):
-    """What is wrong with an answer."""
+    """A fault of an answer."""
 
 
 def shown(value):
-    """Text of others: cut, and nothing in it that a terminal obeys."""
+    """Shortens text of a program, and escapes control characters."""
     text = value if isinstance(value, str) else json.dumps(value)
     text = "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text[:121])
     return text if len(text) <= 120 else text[:120] + "..."
 
 
 def parse(line):
-    """The JSON of a line, as strictly as others read it. ValueError where it is none."""
+    """Parses a line as strict JSON, as the other judges do. Raises ValueError for an invalid line."""
 
     def pairs(fields):
         if len(dict(fields)) < len(fields):
@@ -39,7 +39,7 @@ def parse(line):
     text = line.decode("utf-8")
     try:
         value = json.loads(text, object_pairs_hook=pairs, parse_int=whole, parse_constant=constant)
-        json.dumps(value, allow_nan=False, ensure_ascii=False).encode("utf-8")  # no infinity, and no half of a character
+        json.dumps(value, allow_nan=False, ensure_ascii=False).encode("utf-8")  # no infinity, and no half of a surrogate pair
     except RecursionError:
         raise ValueError("nested too deep") from None
     level, values = 0, [value]
@@ -83,7 +83,7 @@ def check_limits(limits, names):
 
 
 def read_reply(line, seq):
-    """The answer to the case of this number. ValueError where it is none (schema/reply.json)."""
+    """Parses the answer to the case with this number (schema/reply.json). Raises ValueError for any other line."""
     reply = parse(line)
     if not isinstance(reply, dict) or not alike(reply.get("seq"), seq):
         raise ValueError("no answer to this case")
@@ -94,7 +94,7 @@ def read_reply(line, seq):
 
 
 def judge(case, hello, reply):
-    """Raises what is wrong with an answer to a case."""
+    """Checks an answer to a case. Raises Flaw."""
     expect = {"reject": "too-deep"} if is_too_deep(case, hello) else case["expect"]
     kinds = [kind for kind in KINDS if reply.get(kind) is not None]
     if kinds == ["unsupported"]:
@@ -125,7 +125,7 @@ def same(name, expected, found):
 
 
 def alike(a, b):
-    """Equal, and of one kind: 3.0 is not 3, and true is not 1."""
+    """Returns whether values are equal and have one type: 3.0 is not 3, and true is not 1."""
     if type(a) is not type(b):
         return False
     if isinstance(a, list):
@@ -162,7 +162,7 @@ def judge_result(case, features, expected, found):
 
 
 def plain_hits(hits, weights):
-    """Zeros of either sign are one, and weights are there only if they are asked for."""
+    """Returns hits in the form for comparing: with unsigned zeros, and with weights only if they are compared."""
     if not isinstance(hits, list):
         return hits
     names = {"u", "v"} if not weights else set()
@@ -179,7 +179,7 @@ def judge_counters(visits, found):
 
 
 def judge_registers(visits, found):
-    """Unset, or the node that comes next; always set while the sibling is postponed."""
+    """Checks that registers are unset or the next node, and never unset while the sibling is postponed."""
     if not isinstance(found, list) or len(found) != len(visits):
         raise Flaw("registers: expected one for each visit")
     for i, ((key, trail), register) in enumerate(zip(visits, found)):
@@ -206,7 +206,7 @@ def judge_near(near, result):
 
 
 def levels(children):
-    """The level of each node; None where the children are no tree with the root 0."""
+    """Returns the level of each node, or None if the children do not form a tree with the root 0."""
     level, pending = {}, [(0, 0)]
     while pending:
         node, at = pending.pop()
@@ -255,13 +255,13 @@ def folded(key, seed):
 
 
 def hashed(children, reach):
-    """Key and node of all that is hashed."""
+    """Returns the hashed keys with their nodes."""
     nodes, pending = {}, [(1, 0)]
     while pending:
         key, node = pending.pop()
         nodes[key] = node
         pending += [(2 * key + side, child) for side, child in enumerate(children[node] or ())]
-    below = {}  # of each key the greatest way down, as far as the reach says
+    below = {}  # the height of the subtree of each key
     for key in sorted(nodes, reverse=True):
         below[key] = 1 + max(below[2 * key], below[2 * key + 1]) if 2 * key in nodes else 0
     if reach is None:
@@ -271,7 +271,7 @@ def hashed(children, reach):
 
 
 def judge_table(asked, result):
-    """Whether a table leads each key of the tree to its node."""
+    """Checks that a table leads each key of the tree to its node."""
     children, keys = asked["children"], hashed(asked["children"], asked.get("reach"))
     may_fold = max(levels(children).values()) >= 64
     for name in result:

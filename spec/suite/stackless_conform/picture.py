@@ -1,4 +1,4 @@
-"""A failing case as text: its tree or its mesh, and what was expected beside what was received."""
+"""A failing case as text: its tree or its mesh, and the expected and received values."""
 
 import json
 import struct
@@ -9,7 +9,7 @@ MOST = 40  # lines of a tree, a mesh, or a table
 
 
 def picture(case, reply):
-    """Lines that show a case, and the answer to it."""
+    """Yields lines that show a case and its answer."""
     asked = case["input"]
     yield from cut(tree(asked) if asked.get("children") else mesh(asked, first_ray(case, reply)) if "rays" in asked else [])
     fields = {name: it for name, it in asked.items() if not isinstance(it, list) and name != "script"}
@@ -33,7 +33,7 @@ def cut(lines):
 
 
 def beside(name, expected, found):
-    """Two lists as columns, around the first difference."""
+    """Yields two lists as columns, around the first difference."""
     rows = [[value(it[i]) if i < len(it) else "nothing" for it in (expected, found)] for i in range(max(len(expected), len(found)))]
     first = next((i for i, (a, b) in enumerate(rows) if a != b), None)
     if first is None:
@@ -46,7 +46,7 @@ def beside(name, expected, found):
 
 
 def value(it):
-    """Floats stand as decimal numbers too."""
+    """Returns the text of a value, with floats also in decimal."""
     if isinstance(it, dict) and isinstance(it.get("t"), str):
         words = [f"{name} {number(it[name])} ({shown(it[name])})" for name in ("t", "u", "v") if isinstance(it.get(name), str)]
         return ", ".join([*(f"{name} {it[name]}" for name in ("prim", "prims") if name in it), *words])
@@ -54,7 +54,7 @@ def value(it):
 
 
 def number(bits):
-    """The decimal number of 8 hexadecimal digits: the shortest one that is this float and no other."""
+    """Returns the shortest decimal number that rounds to the float with these 8 hexadecimal digits."""
     try:
         x = struct.unpack(">f", bytes.fromhex(bits))[0]
     except (ValueError, struct.error):
@@ -87,19 +87,19 @@ def tree(asked):
 
 
 def first_ray(case, reply):
-    """The number of the first ray that is answered wrongly, or 0."""
+    """Returns the number of the first ray with a wrong answer, or 0."""
     expect, result = case["expect"], reply.get("result")
     expected = (expect.get("result") or expect.get("near") or {}).get("hits")
     found = result.get("hits") if isinstance(result, dict) else None
     if not isinstance(expected, list) or not isinstance(found, list):
         return 0
-    # Any of several triangles may be right.
+    # Several triangles may be correct.
     alike = (lambda a, b: (a is None) == (b is None)) if "near" in expect else (lambda a, b: a == b)
     return next((i for i, (a, b) in enumerate(zip(expected, found)) if not alike(a, b)), 0)
 
 
 def mesh(asked, at):
-    """The triangles and a ray as OBJ: the ray is the last line, one length of its direction long."""
+    """Yields the triangles and a ray as OBJ. The last line is the ray, with the length of its direction."""
     vertices = [[number(bits) for bits in vertex.split()] for vertex in asked["vertices"]]
     yield "# OBJ"
     yield from (f"v {' '.join(vertex)}" for vertex in vertices)

@@ -1,4 +1,4 @@
-"""The program that is asked, one case at a time."""
+"""The program under test, which receives one case at a time."""
 
 import json
 import os
@@ -11,11 +11,11 @@ import time
 
 from .judge import Flaw, judge, read_hello, read_reply, shown
 
-MOST_BYTES = 64 << 20  # of a line; what is longer is none
+MOST_BYTES = 64 << 20  # of a line; a longer line is invalid
 
 
 class Program:
-    """A start of it. Whatever it starts ends with it, where there are process groups."""
+    """A running program. Its child processes end with it, on systems with process groups."""
 
     def __init__(self, command, passes_errors):
         errors = None if passes_errors else subprocess.PIPE
@@ -32,30 +32,30 @@ class Program:
         self.lines.put(None)
 
     def listen_to_errors(self):
-        """Keeps the last line with something in it: mostly the reason. All is read, so that nobody has to wait for us."""
+        """Keeps the last line that is not empty: usually the reason. Reads everything, so that the program never blocks."""
         errors = self.child.stderr
         for line in iter(lambda: errors.readline(1 << 12), b"") if errors else ():
             self.said = line.strip() or self.said
 
     def how_it_ended(self):
-        """Its exit status, and what it said last. It may go on with its output closed."""
+        """Returns the exit status, and the last line of standard error. The program may run on with its output closed."""
         try:
             how = f"exit status: {self.child.wait(0.1)}"
         except subprocess.TimeoutExpired:
             how = "its output is closed"
-        self.has_said.join(0.2)  # what it has started may keep its standard error open
+        self.has_said.join(0.2)  # a child process may keep standard error open
         said = f"; its standard error ends with: {shown(self.said.decode(errors='replace'))}" if self.said else ""
         return how + said
 
     def ask(self, request, timeout):
-        """The answer; None if it has ended, TimeoutError if there is none in time."""
+        """Returns the answer, or None if the program has ended. Raises TimeoutError if no answer comes in time."""
         try:
             self.child.stdin.write(json.dumps(request, separators=(",", ":")).encode() + b"\n")
             self.child.stdin.flush()
             if request["cmd"] == "bye":
                 self.child.stdin.close()
         except OSError:
-            pass  # it has ended, which is heard
+            pass  # it has ended; the queue reports this
         try:
             return self.lines.get(timeout=timeout)
         except queue.Empty:
@@ -75,7 +75,7 @@ class Run:
         self.is_starting, self.status = False, None
 
     def terminate(self, signal, _):
-        """Not between the start of a program and its name: nobody could end it."""
+        """Does not exit while a program starts: until `self.program` is set, `stop` could not end it."""
         self.status = 128 + signal
         if not self.is_starting:
             sys.exit(self.status)
@@ -102,7 +102,7 @@ class Run:
         self.program = None
 
     def bye(self):
-        """Says goodbye; whoever goes on talking is to blame."""
+        """Says goodbye. Returns the faults: further output, or no exit."""
         try:
             if self.program and self.program.ask({"cmd": "bye"}, self.args.timeout) is not None:
                 return ["wrote more than was asked"]
@@ -113,7 +113,7 @@ class Run:
         return []
 
     def ask(self, seq, profile, case):
-        """Outcome, what is wrong, and the answer, if it is one."""
+        """Returns the outcome, the fault or None, and the answer if it is a valid one that fails."""
         level, name = profile.split("/")
         request = {"cmd": "case", "seq": seq, "level": level, "profile": name, "input": case["input"]}
         if time.monotonic() > self.deadline:

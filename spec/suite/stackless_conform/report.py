@@ -1,4 +1,4 @@
-"""What came of a run: as text, as JSON (schema/report.json), and as JUnit."""
+"""The report of a run: as text, as JSON (schema/report.json), and as JUnit."""
 
 import pathlib
 import shlex
@@ -20,7 +20,7 @@ class Report:
         self.conforms = not self.failed and not faults
 
     def failures(self):
-        """The smallest of each profile, basic profiles first; then the next smallest of each, and so on."""
+        """Returns the smallest failure of each profile, basic profiles first; then the second smallest of each, and so on."""
         profiles = defaultdict(list)
         for row in sorted(self.failed, key=lambda row: (len(self.bases[profile(row)]), profile(row), row["size"], is_drawn(row))):
             profiles[profile(row)].append(row)
@@ -28,7 +28,7 @@ class Report:
         return [row for _, row in sorted(ranked, key=lambda it: it[0])]
 
     def look_first(self, row):
-        """A more basic profile, in which the mistake shows sooner: one that fails too, or one that is not named."""
+        """Returns a hint to a more basic profile, where the mistake shows earlier: it fails too, or is not named."""
         bases, failing = self.bases[profile(row)], {profile(it) for it in self.failed}
         for base in bases:
             if base in failing:
@@ -57,7 +57,7 @@ class Report:
         yield from self.table()
         counts = [self.count(name) for name in OUTCOMES]
         waived = sum("waived" in row for row in self.verdicts)
-        # Of a part nobody knows what comes of the other cases.
+        # If only a part was chosen, other cases may fail.
         passed = "conforms in what it names" if self.is_whole else "passes what was chosen"
         verdict = passed if self.conforms else "does not conform"
         yield (
@@ -71,7 +71,7 @@ class Report:
         return sum(row["outcome"] == name and "waived" not in row for row in rows)
 
     def table(self):
-        """A line for each profile of which anything was asked."""
+        """Yields a line for each profile with a case that was run."""
         profiles = defaultdict(list)
         for row in self.verdicts:
             if row["outcome"] != "not-asked":
@@ -90,7 +90,7 @@ class Report:
         return {**about, "cases": rows}
 
     def to_junit(self):
-        """A test case each, `skipped` where it was not asked or is waived."""
+        """Yields a test case for each case, `skipped` if it was not run or is waived."""
         rows = [(*row["id"].rsplit("/", 1), inside(row)) for row in self.verdicts]
         rows += [("run", f"fault {i}", failure(fault)) for i, fault in enumerate(self.faults)]
         failures, skipped = (sum(it.startswith(tag) for _, _, it in rows) for tag in ("<failure", "<skipped"))
@@ -104,7 +104,7 @@ class Report:
 
 
 def own_name(path):
-    """How this runner is started."""
+    """Returns the command that starts this runner."""
     name = pathlib.Path(path).name
     if name == "__main__.py":
         return "python3 -m stackless_conform"
@@ -112,7 +112,7 @@ def own_name(path):
 
 
 def is_drawn(row):
-    """Whether a case is one of many that were drawn: of equal size those with a name of their own come first."""
+    """Returns whether a case was drawn by a seed. Of cases of equal size, those with a descriptive name come first."""
     return row["id"].rpartition("-")[2].isdigit()
 
 
@@ -122,7 +122,7 @@ OF_REGISTERS = (*OF_FIELD["registers"], "HASH-3")
 
 
 def clauses(row, features):
-    """Those of the field that differs come first, and those of registers only where there are any."""
+    """Returns the clauses, those of the field that differs first, and those of registers only with the feature."""
     first = OF_FIELD.get(row.get("what", "").partition("[")[0], ())
     kept = [it for it in row["clauses"] if "registers" in features or not it.startswith(OF_REGISTERS)]
     return sorted(kept or row["clauses"], key=lambda it: not it.startswith(first) if first else False)
@@ -133,14 +133,14 @@ def profile(row):
 
 
 def is_failure(row):
-    """A must that is not waived, or a waiver that has grown old."""
+    """Returns whether a required case failed without a waiver, or a waived case passed."""
     if "waived" in row:
         return row["outcome"] == "pass"
     return "what" in row and row["strength"] == "must"
 
 
 def inside(row):
-    """What stands in a test case of JUnit."""
+    """Returns the content of a test case of JUnit."""
     if is_failure(row):
         more = f"{row['why']}\nclauses {', '.join(row['clauses'])}" if "what" in row else ""
         return failure(row.get("what", "waived, and passes"), more)
@@ -154,7 +154,7 @@ def failure(message, more=""):
 
 
 def escaped(text):
-    """Text for an attribute or an element of XML 1.0, which has no way to write some characters."""
+    """Escapes text for XML 1.0, which cannot represent some characters."""
     named = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "\n": "&#10;", "\t": "&#9;"}
     return "".join(named.get(c) or (c if is_xml(c) else "\ufffd") for c in text)
 

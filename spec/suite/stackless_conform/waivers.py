@@ -12,12 +12,12 @@ def is_pattern(id):
 
 
 def matches(id, pattern):
-    """As `stackless conform` has it: `*` is any text, `?` any character, and `[` is itself."""
+    """Matches like `stackless conform`: `*` is any text, `?` any character, and `[` is not special."""
     return fnmatch.fnmatchcase(id, pattern.replace("[", "[[]"))
 
 
 def load(path, ids):
-    """Pattern and reason. ValueError where a list is none, or names what is no case."""
+    """Reads patterns with their reasons. Raises ValueError for an invalid list, or for an id without a case."""
     if path is None:
         return {}
     waivers = {}
@@ -37,7 +37,7 @@ def load(path, ids):
 
 
 def withdrawn(ids):
-    """Why the first of these ids that belonged to a case was withdrawn (withdrawn.json); None if none did."""
+    """Returns why the first withdrawn case with one of these ids was withdrawn (withdrawn.json), or None."""
     for case in json.loads((SUITE / "withdrawn.json").read_text(encoding="utf-8")):
         if case["id"] in ids:
             return f"case '{case['id']}' was withdrawn in suite {case['since']}: {case['reason']}"
@@ -45,16 +45,16 @@ def withdrawn(ids):
 
 
 def reason(waivers, id, outcome):
-    """Why a case is excused: by its own id, or else by the first pattern. None if it is not."""
+    """Returns the reason of the waiver with this id, otherwise of the first pattern that matches. None if not excused."""
     own = id if id in waivers else next((pattern for pattern in waivers if matches(id, pattern)), None)
-    # Of the cases of a pattern some may pass, and one that is not asked needs no excuse.
+    # Some cases of a pattern may pass, and a case that was not run needs no excuse.
     if own is None or outcome == "not-asked" or (outcome == "pass" and is_pattern(own)):
         return None
     return waivers[own]
 
 
 def not_needed(waivers, verdicts):
-    """Faults: waivers of cases that were run, and that excuse nothing."""
+    """Yields faults: waivers of chosen cases that excuse no failure."""
     for id in waivers:
         outcomes = {row["outcome"] for row in verdicts if matches(row["id"], id)}
         if outcomes == {"not-asked"}:
@@ -64,7 +64,7 @@ def not_needed(waivers, verdicts):
 
 
 def written(waivers, verdicts):
-    """The list with which a run succeeds. Those of cases that were not run are kept."""
+    """Returns the list with which a run succeeds. Waivers of cases that were not chosen are kept."""
     elsewhere = [id for id in waivers if not any(matches(row["id"], id) for row in verdicts)]
     rows = [{"id": id, "reason": waivers[id]} for id in elsewhere]
     for row in verdicts:
