@@ -82,8 +82,8 @@ pub(crate) struct Extra {
 }
 
 pub(crate) fn run(args: &Args, Extra { tape }: Extra) -> Outcome {
-    let Page { title, nodes, page } = page(&args.shown, tape)?;
-    let html = page.and_then(|page| page.to_html()).map_err(|error| format!("{title}: {error}"))?;
+    let Page { title, nodes, recorded } = page(&args.shown, tape)?;
+    let html = recorded.and_then(|page| page.to_html()).map_err(|error| format!("{title}: {error}"))?;
     write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
     say!("{}: {nodes} nodes, {} bytes", args.output.display(), html.len());
     Ok(true)
@@ -91,8 +91,8 @@ pub(crate) fn run(args: &Args, Extra { tape }: Extra) -> Outcome {
 
 /// Prints a part of a case as text.
 pub(crate) fn debug(part: Part, shown: &Shown, Extra { tape }: Extra) -> Outcome {
-    let Page { title, page, .. } = page(shown, tape)?;
-    let page = page.map_err(|error| format!("{title}: {error}"))?;
+    let Page { title, recorded, .. } = page(shown, tape)?;
+    let page = recorded.map_err(|error| format!("{title}: {error}"))?;
     let text = match part {
         Part::Tree => page.tree(),
         Part::Trace => page.traversals(),
@@ -106,7 +106,7 @@ type Error = Box<dyn std::error::Error>;
 struct Page {
     title: String,
     nodes: usize,
-    page: Result<explain::Page, explain::ExplainError>,
+    recorded: Result<explain::Page, explain::ExplainError>,
 }
 
 fn page(shown: &Shown, tape: Option<u64>) -> Result<Page, Error> {
@@ -129,7 +129,7 @@ fn binary_page(shown: &Shown, tape: Option<u64>, ask: Option<Ask>, methods: &[Me
         ([], named) => named,
         (methods, _) => methods,
     };
-    Ok(Page { page: explain::page(&title, &case, methods), nodes: case.size(), title })
+    Ok(Page { recorded: explain::page(&title, &case, methods), nodes: case.size(), title })
 }
 
 /// Loads the case with its title and the traversals that it names.
@@ -186,12 +186,12 @@ fn wide_page(shown: &Shown, tape: Option<u64>, methods: &[WideMethod]) -> Result
 
 fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMethod]) -> Page {
     let methods = if methods.is_empty() { &wide::USUAL } else { methods };
-    let page = if case.is_sorted {
+    let recorded = if case.is_sorted {
         wide::page(&title, &case.tree, &case.search::<true>(), methods)
     } else {
         wide::page(&title, &case.tree, &case.search::<false>(), methods)
     };
-    Page { page, nodes: case.tree.node_count(), title }
+    Page { recorded, nodes: case.tree.node_count(), title }
 }
 
 fn of_walk(shown: &Shown, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
@@ -208,12 +208,12 @@ fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod])
     let methods = if methods.is_empty() { &wide::USUAL } else { methods };
     let (title, tree) = (format!("Suite case {id}"), walk.tree::<A>().map_err(|error| error.to_string())?);
     let unfit = "its ranks do not fit its tree";
-    let page = if walk.is_sorted() {
+    let recorded = if walk.is_sorted() {
         wide::page(&title, &tree, &walk.search::<A, true>().ok_or(unfit)?, methods)
     } else {
         wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods)
     };
-    Ok(Page { page, nodes: tree.node_count(), title })
+    Ok(Page { recorded, nodes: tree.node_count(), title })
 }
 
 /// The scene with its ray and a title, if a scene is given.
