@@ -44,7 +44,7 @@ fn named(path: PathBuf) -> Result<Output, String> {
     Ok(Output::File(path))
 }
 
-/// Like [`file`], for a single kind of file. Refuses other extensions.
+/// Like [`file()`], for a single kind of file. Refuses other extensions.
 pub(crate) fn file_as(kind: &'static str) -> impl TypedValueParser<Value = Output> {
     OsStringValueParser::new().try_map(move |name| match Path::new(&name).extension() {
         Some(other) if !other.eq_ignore_ascii_case(kind) => {
