@@ -96,7 +96,7 @@ fn wide_kernels_end_on_any_links() {
 }
 
 #[test]
-#[ignore = "weekly: takes minutes"]
+#[ignore = "takes minutes; `.ci/run planted` runs it weekly"]
 fn planted_bugs_are_caught() {
     let gpu = gpu();
     let batches = (Batch::new(&gpu, cases(1024, 1)).unwrap(), wide_batch(&gpu, 1024));

@@ -110,7 +110,7 @@ fn every_kernel_conforms_in_what_it_names() {
 }
 
 #[test]
-#[ignore = "weekly: takes minutes"]
+#[ignore = "takes minutes; `.ci/run planted` runs it weekly"]
 fn planted_bugs_fail_cases_of_their_clauses() {
     let gpu = Gpu::open(None).unwrap();
     for bug in SHADERS.iter().filter(|bug| !bug.profile.is_empty()) {

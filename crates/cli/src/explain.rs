@@ -82,16 +82,17 @@ pub(crate) struct Extra {
 }
 
 pub(crate) fn run(args: &Args, Extra { tape }: Extra) -> Outcome {
-    let Page { title, nodes, recorded } = page(&args.shown, tape)?;
-    let html = recorded.and_then(|page| page.to_html()).map_err(|error| format!("{title}: {error}"))?;
+    let Page { title, recorded } = page(&args.shown, tape)?;
+    let page = recorded.map_err(|error| format!("{title}: {error}"))?;
+    let html = page.to_html().map_err(|error| format!("{title}: {error}"))?;
     write_file(&args.output, |file| file.write_all(html.as_bytes()))?;
-    say!("{}: {nodes} nodes, {} bytes", args.output.display(), html.len());
+    say!("{}: {} nodes, {} bytes", args.output.display(), page.nodes(), html.len());
     Ok(true)
 }
 
 /// Prints a part of a case as text.
 pub(crate) fn debug(part: Part, shown: &Shown, Extra { tape }: Extra) -> Outcome {
-    let Page { title, recorded, .. } = page(shown, tape)?;
+    let Page { title, recorded } = page(shown, tape)?;
     let page = recorded.map_err(|error| format!("{title}: {error}"))?;
     let text = match part {
         Part::Tree => page.tree(),
@@ -105,7 +106,6 @@ type Error = Box<dyn std::error::Error>;
 
 struct Page {
     title: String,
-    nodes: usize,
     recorded: Result<explain::Page, explain::ExplainError>,
 }
 
@@ -129,7 +129,7 @@ fn binary_page(shown: &Shown, tape: Option<u64>, ask: Option<Ask>, methods: &[Me
         ([], named) => named,
         (methods, _) => methods,
     };
-    Ok(Page { recorded: explain::page(&title, &case, methods), nodes: case.size(), title })
+    Ok(Page { recorded: explain::page(&title, &case, methods), title })
 }
 
 /// Loads the case with its title and the traversals that it names.
@@ -191,7 +191,7 @@ fn of_case<const A: usize>(title: String, case: &WideCase<A>, methods: &[WideMet
     } else {
         wide::page(&title, &case.tree, &case.search::<false>(), methods)
     };
-    Page { recorded, nodes: case.tree.node_count(), title }
+    Page { title, recorded }
 }
 
 fn of_walk(shown: &Shown, walk: &WideWalk, methods: &[WideMethod]) -> Result<Page, Error> {
@@ -213,7 +213,7 @@ fn of_walk_of<const A: usize>(id: &str, walk: &WideWalk, methods: &[WideMethod])
     } else {
         wide::page(&title, &tree, &walk.search::<A, false>().ok_or(unfit)?, methods)
     };
-    Ok(Page { recorded, nodes: tree.node_count(), title })
+    Ok(Page { title, recorded })
 }
 
 /// The scene with its ray and a title, if a scene is given.

@@ -26,7 +26,7 @@ use sample::{Sample, Samples};
 
 /// Draw a scene, or the cost of its traversal, as a PNG file.
 ///
-/// The same options give the same picture, for any number of threads. The scene is rounded to single precision; answers
+/// Equal options give equal pictures, for any number of threads. The scene is rounded to single precision; answers
 /// are exact.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  stackless render examples/data/torus.ply -o torus.png\n  \

@@ -237,6 +237,11 @@ pub fn page(title: &str, case: &Case, methods: &[Method]) -> Result<Page, Explai
 }
 
 impl Page {
+    /// Returns the number of nodes of the tree.
+    pub fn nodes(&self) -> usize {
+        self.children.len()
+    }
+
     /// Returns one self-contained HTML file.
     ///
     /// # Errors
