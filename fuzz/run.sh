@@ -48,8 +48,7 @@ fuzz() {
     [[ ! -e dictionaries/$target ]] || dictionary=("-dict=dictionaries/$target")
     local began=$SECONDS cpu status=0 TIMEFORMAT='%U %S'
     # shellcheck disable=SC2046
-    # The first input of some targets builds the whole suite, which takes minutes on a busy machine.
-    cpu=$({ time "$binaries/$target" "-max_total_time=$seconds" -timeout=300 -rss_limit_mb=2048 -max_len=4096 \
+    cpu=$({ time "$binaries/$target" "-max_total_time=$seconds" -timeout=30 -rss_limit_mb=2048 -max_len=4096 \
         "-artifact_prefix=artifacts/$target/" -print_final_stats=1 "${dictionary[@]}" "$@" \
         $(folders "$target") > "artifacts/$target.log" 2>&1; } 2>&1) || status=$?
     record "$target" "$((SECONDS - began))" "$cpu" "$status"

@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| stackless_fuzz::run("requests", bytes));
+libfuzzer_sys::fuzz_target!(init: stackless_fuzz::prepare(), |bytes: &[u8]| stackless_fuzz::run("requests", bytes));

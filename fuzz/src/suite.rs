@@ -118,7 +118,7 @@ fn line(level: Level, profile: &str, input: &Map<String, Value>) -> Vec<u8> {
 }
 
 /// Returns the small cases, generated once.
-fn some_profiles() -> &'static [Profile] {
+pub(crate) fn some_profiles() -> &'static [Profile] {
     static PROFILES: std::sync::OnceLock<Vec<Profile>> = std::sync::OnceLock::new();
     PROFILES.get_or_init(|| {
         let mut profiles = author::suite().profiles;

@@ -24,6 +24,7 @@ fn inputs(of: &str) -> Vec<(&'static str, PathBuf)> {
 }
 
 fn run(of: &str) -> usize {
+    targets::prepare();
     let inputs = inputs(of);
     for (target, file) in &inputs {
         println!("{target} {}", file.display());
