@@ -31,7 +31,7 @@ pub(crate) fn in_pieces<I: Send, A: Send>(
     (count, few): (usize, usize),
     progress: Option<&Bound<'_, PyAny>>,
     read: impl Fn(&Threads, Range<usize>) -> PyResult<I>,
-    answer: impl Fn(I) -> PyResult<A> + Sync,
+    mut answer: impl FnMut(I) -> PyResult<A> + Send,
     mut keep: impl FnMut(&Threads, A) -> PyResult<()>,
 ) -> PyResult<()> {
     for first in (0..count).step_by(PIECE) {

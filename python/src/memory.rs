@@ -2,6 +2,8 @@
 
 use std::hint::black_box;
 
+use bytemuck::Zeroable;
+use bytemuck::allocation::try_zeroed_slice_box;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
@@ -17,6 +19,13 @@ pub(crate) fn room<T>(count: usize) -> PyResult<Vec<T>> {
     let mut all = Vec::new();
     all.try_reserve_exact(count).map_err(|_| lacking(count.saturating_mul(size_of::<T>())))?;
     Ok(all)
+}
+
+/// Returns a vector of `count` zeros. Its memory is not touched.
+pub(crate) fn zeroed<T: Zeroable>(count: usize) -> PyResult<Vec<T>> {
+    let bytes = count.saturating_mul(size_of::<T>());
+    check(bytes)?;
+    try_zeroed_slice_box(count).map(Vec::from).map_err(|()| lacking(bytes))
 }
 
 /// Reserves capacity for `count` more items, and for later items.

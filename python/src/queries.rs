@@ -2,17 +2,16 @@
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use rayon::prelude::*;
 use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
 use stackless_bvh::geom::{Mesh, Ray, Vector, check_environment};
 use stackless_bvh::trace::Hit;
 
-use crate::arrays::Rays;
+use crate::arrays::{Chunks, Rays};
 use crate::batch::in_pieces;
 use crate::errors::failed;
-use crate::memory::{reserve, room};
+use crate::memory::{reserve, room, zeroed};
 use crate::space::{Coordinate, Space};
-use crate::threads::{FEW, ROWS, Threads, of_chunks};
+use crate::threads::{FEW, Threads, of_chunks, of_each};
 
 /// A function that is called between pieces.
 pub(crate) type Progress<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
@@ -27,13 +26,9 @@ pub(crate) fn closest<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<HitArrays<'py, S::Real>> {
-    let mut found = Found::with_room(rays.len())?;
-    let answer = |rays: Vec<Ray<S::Vector>>| bvh.closest(&rays).map_err(failed);
-    let keep = |threads: &Threads, hits: Vec<_>| {
-        found.extend(threads, &hits);
-        Ok(())
-    };
-    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    let mut found = Found::zeroed(rays.len())?;
+    let answer = |chunks: Chunks<S>| found.fill(chunks, |rays| bvh.closest(rays));
+    traced(py, rays, progress, answer)?;
     found.into_arrays(py)
 }
 
@@ -44,13 +39,12 @@ pub(crate) fn any<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let mut found = room(rays.len())?;
-    let answer = |rays: Vec<Ray<S::Vector>>| bvh.any(&rays).map_err(failed);
-    let keep = |_: &Threads, hits| {
-        found.extend(hits);
-        Ok(())
-    };
-    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
+    let mut found = zeroed(rays.len())?;
+    traced(py, rays, progress, |Chunks { rows, chunks }| {
+        checked_each(chunks.iter().zip(found[rows].chunks_mut(FEW)), |(rays, found)| {
+            found.copy_from_slice(&bvh.any(rays));
+        })
+    })?;
     Ok(found.into_pyarray(py))
 }
 
@@ -61,14 +55,32 @@ pub(crate) fn crossings<'py, S: Space>(
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
 ) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let mut found = room(rays.len())?;
-    let answer = |rays: Vec<Ray<S::Vector>>| bvh.crossings(&rays).map_err(failed);
-    let keep = |_: &Threads, counts: Vec<_>| {
-        found.extend(counts.into_iter().map(i64::from));
-        Ok(())
-    };
-    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
-    Ok(found.into_pyarray(py))
+    let mut counts = zeroed(rays.len())?;
+    traced(py, rays, progress, |Chunks { rows, chunks }| {
+        checked_each(chunks.iter().zip(counts[rows].chunks_mut(FEW)), |(rays, counts)| {
+            for (count, found) in counts.iter_mut().zip(bvh.crossings(rays)) {
+                *count = i64::from(found);
+            }
+        })
+    })?;
+    Ok(counts.into_pyarray(py))
+}
+
+/// Answers all rays, piece by piece.
+fn traced<'py, S: Space>(
+    py: Python<'py>,
+    rays: &Rays<'py, S>,
+    progress: Progress<'_, 'py>,
+    answer: impl FnMut(Chunks<S>) -> PyResult<()> + Send,
+) -> PyResult<()> {
+    let read = |threads: &Threads, rows| rays.chunks(threads, rows);
+    in_pieces(py, (rays.len(), FEW), progress, read, answer, |_, ()| Ok(()))
+}
+
+/// Works on each item, on threads with valid arithmetic.
+fn checked_each<I: Send>(items: impl Iterator<Item = I>, work: impl Fn(I) + Sync) -> PyResult<()> {
+    let checked = |item| check_environment().map(|()| work(item)).map_err(failed);
+    of_each(items, checked).into_iter().collect()
 }
 
 /// The start of each ray's hits, then distances, triangles, weights and places: 0 in the interior of the triangle, 1 on
@@ -159,6 +171,11 @@ impl<R: Coordinate> Found<R> {
         Ok(Self { t: room(count)?, primitive: room(count)?, uv: room(count)? })
     }
 
+    /// Arrays to [`fill`](Self::fill).
+    fn zeroed(count: usize) -> PyResult<Self> {
+        Ok(Self { t: zeroed(count)?, primitive: zeroed(count)?, uv: zeroed(count)? })
+    }
+
     /// Reserves space for `count` more hits.
     fn reserve(&mut self, count: usize) -> PyResult<()> {
         reserve(&mut self.t, count)?;
@@ -172,20 +189,20 @@ impl<R: Coordinate> Found<R> {
         self.uv.push(weights(hit));
     }
 
-    /// Runs on all threads, because a single thread would be slower than tracing.
-    fn extend(&mut self, threads: &Threads, hits: &[Option<Hit<R>>]) {
-        if hits.len() <= ROWS {
-            for hit in hits {
-                self.push(hit.as_ref());
+    /// Fills the rows of these rays, on all threads.
+    fn fill<S: Space<Real = R>>(
+        &mut self,
+        Chunks { rows, chunks }: Chunks<S>,
+        answer: impl Fn(&[Ray<S::Vector>]) -> Vec<Option<Hit<R>>> + Sync,
+    ) -> PyResult<()> {
+        let t = self.t[rows.clone()].chunks_mut(FEW);
+        let primitive = self.primitive[rows.clone()].chunks_mut(FEW);
+        let uv = self.uv[rows].chunks_mut(FEW);
+        checked_each(chunks.iter().zip(t).zip(primitive).zip(uv), |(((rays, t), primitive), uv)| {
+            for (i, hit) in answer(rays).iter().map(Option::as_ref).enumerate() {
+                (t[i], primitive[i], uv[i]) = (distance(hit), self::primitive(hit), weights(hit));
             }
-            return;
-        }
-        let hits = || hits.par_iter().with_min_len(ROWS).map(Option::as_ref);
-        threads.run(|| {
-            self.t.par_extend(hits().map(distance));
-            self.primitive.par_extend(hits().map(primitive));
-            self.uv.par_extend(hits().map(weights));
-        });
+        })
     }
 
     pub(crate) fn into_arrays(self, py: Python<'_>) -> PyResult<HitArrays<'_, R>> {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use bytemuck::Zeroable;
 use glam::DVec3;
 use numpy::Element;
 use pyo3::exceptions::PyMemoryError;
@@ -18,7 +19,7 @@ use crate::errors::{failed, of_refit, refused};
 use crate::memory;
 
 /// A number type of arrays.
-pub(crate) trait Coordinate: Element + Copy + Into<f64> {
+pub(crate) trait Coordinate: Element + Copy + Into<f64> + Zeroable {
     /// The distance of a miss.
     const INFINITY: Self;
     /// A weight or a coordinate without a value.
@@ -60,10 +61,11 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     /// Memory in bytes.
     fn bytes(&self) -> usize;
 
-    fn closest(&self, rays: &[Ray<Self::Vector>]) -> Answers<Option<Hit<Self::Real>>>;
-    fn any(&self, rays: &[Ray<Self::Vector>]) -> Answers<bool>;
+    // Of the calling thread, whose arithmetic is checked.
+    fn closest(&self, rays: &[Ray<Self::Vector>]) -> Vec<Option<Hit<Self::Real>>>;
+    fn any(&self, rays: &[Ray<Self::Vector>]) -> Vec<bool>;
     fn all(&self, ray: &Ray<Self::Vector>) -> Vec<Hit<Self::Real>>;
-    fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Answers<u32>;
+    fn crossings(&self, rays: &[Ray<Self::Vector>]) -> Vec<u32>;
     /// Whether points are inside, outside or on the mesh. Each point has its row.
     fn locate(
         &self,
@@ -133,20 +135,20 @@ where
         self.bytes()
     }
 
-    fn closest(&self, rays: &[Ray<V>]) -> Answers<Option<Hit<V::Real>>> {
-        Tracer::new(self).closest_parallel(rays)
+    fn closest(&self, rays: &[Ray<V>]) -> Vec<Option<Hit<V::Real>>> {
+        Tracer::new(self).closest_each(rays)
     }
 
-    fn any(&self, rays: &[Ray<V>]) -> Answers<bool> {
-        Tracer::new(self).any_parallel(rays)
+    fn any(&self, rays: &[Ray<V>]) -> Vec<bool> {
+        Tracer::new(self).any_each(rays)
     }
 
     fn all(&self, ray: &Ray<V>) -> Vec<Hit<V::Real>> {
         Tracer::new(self).all(ray)
     }
 
-    fn crossings(&self, rays: &[Ray<V>]) -> Answers<u32> {
-        Tracer::new(self).crossings_parallel(rays)
+    fn crossings(&self, rays: &[Ray<V>]) -> Vec<u32> {
+        Tracer::new(self).crossings_each(rays)
     }
 
     fn locate(&self, mesh: &Mesh<V>, boundary: &Boundary, rule: Rule, points: &[V]) -> PyResult<Vec<Location>> {

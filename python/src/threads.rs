@@ -74,17 +74,23 @@ pub(crate) fn none_started(error: impl ToString) -> PyErr {
     PyMemoryError::new_err(format!("no thread could be started: {error}; RAYON_NUM_THREADS limits their number"))
 }
 
-/// Number of rows that a thread reads or keeps at once.
+/// Number of rows that a thread reads at once.
 pub(crate) const ROWS: usize = 4096;
 
-/// Computes a result for each piece of the items, in order. A single thread gets one piece.
+/// Computes a result for each item, in order. A single item needs no other thread.
+pub(crate) fn of_each<I: Send, A: Send>(items: impl Iterator<Item = I>, of: impl Fn(I) -> A + Sync) -> Vec<A> {
+    let items: Vec<_> = items.collect();
+    if items.len() <= 1 || rayon::current_thread_index().is_none() {
+        return items.into_iter().map(of).collect();
+    }
+    items.into_par_iter().map(&of).collect()
+}
+
+/// Computes a result for each chunk of the items, in order. A single thread gets one chunk.
 pub(crate) fn of_chunks<I: Sync, A: Send>(
     items: &[I],
     chunk: usize,
     of_chunk: impl Fn(&[I]) -> PyResult<A> + Sync,
 ) -> PyResult<Vec<A>> {
-    if items.len() <= chunk || rayon::current_thread_index().is_none() {
-        return Ok(vec![of_chunk(items)?]);
-    }
-    items.par_chunks(chunk).map(&of_chunk).collect()
+    of_each(items.chunks(chunk), of_chunk).into_iter().collect()
 }
