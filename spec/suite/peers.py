@@ -148,7 +148,7 @@ def main():
         wrong = [sum(getattr(rays, field) for rays in results.values()) for field in ("hits", "numbers")]
         not_asked = {group(id) for id, rays in results.items() if rays.none == NOT_ASKED}
         row([name, *("" if part in not_asked else passed[part] for part in sizes), *none, *wrong])
-    print("\nRays with wrong hits + rays with wrong numbers, where there are any:\n")
+    print("\nEach cell gives the rays with wrong hits + the rays with wrong numbers. A cell without any is empty.\n")
     row(["case", "rays", *list(found)[1:]])
     row(["---", "---:", *(":---:" for _ in list(found)[1:])])
     for id in ids:
