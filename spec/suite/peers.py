@@ -32,18 +32,23 @@ NOT_ASKED = "not asked"
 PROFILES = ("grid", "exact", "watertight", "parity", "ulp-8", "ulp-256")
 
 TEXT = """\
-# What ray tracers answer to the level `ray`
+# Results of ray tracers on the level `ray`
 
-Made by [peers.py](peers.py). The first four are this library by its tests of triangles; of the others none promises what is asked
-here. Versions as in the [record of benchmarks](../../benches/records/2026-11-21-trees.md); Embree is that of Debian, which has
-assertions on; embreex 4.4.0 and Open3D 0.20.0 are the wheels of PyPI, which are Embree too, asked by
-[adapters/tracers.py](adapters/tracers.py).
+[peers.py](peers.py) writes this page. The rows `exact`, `precise`, `watertight` and `fast` are this library, with different triangle tests.
+The other tracers do not promise exact answers. The [record of benchmarks](../../benches/records/2026-11-21-trees.md) lists their versions.
+Embree is the package of Debian, with assertions. embreex 4.4.0 and Open3D 0.20.0 are the wheels of PyPI, which contain Embree;
+[adapters/tracers.py](adapters/tracers.py) runs them.
 
-A hit is wrong if another triangle is hit, or none, or some. Numbers are wrong if only t is not exact to the bit; for the tests of
-this library, which claim the feature `weights`, if t, u or v is not. A case is passed if none of its rays is answered wrongly, refused
-if an implementation says so (that its trees have not so many levels, or that its rays have no such ends), and ended if its process
-ends without an answer. `watertight`, `parity` and `ulp-N` ask for what tracers that round can promise; a tracer that does not count
-crossings is not asked for `parity`.
+| word | meaning |
+|---|---|
+| wrong hit | another triangle, a hit instead of a miss, or a miss instead of a hit |
+| wrong number | the right triangle, and t is not exact to the bit; for this library, which claims the feature `weights`, t, u or v |
+| passed | the case has no wrong hit and no wrong number |
+| refused | the implementation does not support the depth of the tree, or the interval of the rays |
+| ended | the process ended without an answer |
+
+The profiles `watertight`, `parity` and `ulp-N` require only what tracers that round can promise. `parity` needs a tracer that counts
+crossings.
 """
 
 
@@ -143,7 +148,7 @@ def main():
         wrong = [sum(getattr(rays, field) for rays in results.values()) for field in ("hits", "numbers")]
         not_asked = {group(id) for id, rays in results.items() if rays.none == NOT_ASKED}
         row([name, *("" if part in not_asked else passed[part] for part in sizes), *none, *wrong])
-    print("\nRays with wrong hits + rays with wrong numbers, where there are any:\n")
+    print("\nEach cell gives the rays with wrong hits + the rays with wrong numbers. A cell without any is empty.\n")
     row(["case", "rays", *list(found)[1:]])
     row(["---", "---:", *(":---:" for _ in list(found)[1:])])
     for id in ids:

@@ -27,8 +27,9 @@ use crate::places::{self, Output};
 /// Trace rays through a scene.
 ///
 /// A ray is a line of ox,oy,oz,dx,dy,dz,tmin,tmax; tmin and tmax are optional. A hit is a line of prim,t,u,v. prim is
-/// the index of the triangle in the file's order (polygons are triangulated as fans). A miss has prim -1 and empty
-/// columns. t is the distance in lengths of the direction. u and v are the weights of the second and the third corner.
+/// the index of the triangle in the file's order (a polygon of n corners is n - 2 triangles). A miss has prim -1 and
+/// empty columns. t is the distance in lengths of the direction. u and v are the weights of the second and the third
+/// corner.
 ///
 /// JSON lines (.jsonl) have the same fields: `{"origin":[0,0,5],"direction":[0,0,-1],"tmin":0,"tmax":null}`, and
 /// `{"prim":3,"t":1.5,"u":0.25,"v":0.5}`. `NumPy` arrays (.npy) have rows of 6 or 8 floats, and records of prim, t, u,
@@ -53,8 +54,8 @@ pub(crate) struct Args {
     /// Format of rays and hits without such an extension.
     #[arg(long, default_value_t, value_parser = input::names(Format::ALL, Format::name))]
     format: Format,
-    /// Traversal, of binary trees or with --single of wide trees, which are faster and always exact. [default: afra;
-    /// with --single and exact accuracy: wide-record]
+    /// Traversal, of binary trees or of wide trees, which are faster and always exact. [default: wide-record; for
+    /// accuracies other than exact, afra]
     #[arg(long, value_parser = input::traversal())]
     method: Option<Traversal>,
     /// Builder of the hierarchy. [default: standard, for `complete` median]
