@@ -1,4 +1,5 @@
-//! Embree 3 through its C library, which is loaded on first use.
+//! Embree 4 through its C library, which is loaded on first use: the file named by `EMBREE_LIBRARY`, or the installed
+//! library.
 //!
 //! Scenes are static, with medium build quality, and with or without the flag for robust tests; or dynamic and
 //! refitted. Rays are traced one by one, like those of other peers. [`DoubleScene`] tests triangles in double
@@ -8,8 +9,8 @@
 //! # Safety
 //!
 //! Only this module and its submodule have `unsafe`. The code relies on these facts:
-//! - The types and declarations of functions are those of the headers of Embree 3.13. All libraries with this soname
-//!   have that binary interface. The compiler checks the sizes.
+//! - The types and declarations of functions are those of the headers of Embree 4.4. The device's version is checked,
+//!   because older versions have smaller hits. The compiler checks the sizes.
 //! - The library is never unloaded, because its thread-local data is cleared when a thread ends. So its functions exist
 //!   until the program ends.
 //! - [`Scene`] releases its handles once, on drop. It is neither `Send` nor `Sync`, so it stays on its thread.
@@ -20,8 +21,8 @@
 mod double;
 
 use std::ffi::{c_char, c_int, c_uint, c_void};
-use std::ptr;
 use std::sync::OnceLock;
+use std::{env, ptr};
 
 use libloading::Library;
 
@@ -51,6 +52,7 @@ struct RayHit {
     prim: c_uint,
     geometry: c_uint,
     instance: c_uint,
+    instance_prim: c_uint,
 }
 
 /// `RTCRay`.
@@ -66,17 +68,29 @@ struct RayPart {
     flags: c_uint,
 }
 
-const _: () = assert!(size_of::<RayPart>() == 48 && size_of::<RayHit>() == 80);
+const _: () = assert!(size_of::<RayPart>() == 48 && size_of::<RayHit>() == 96);
 
-/// `RTCIntersectContext`.
+/// `RTCRayQueryContext`.
 #[repr(C)]
 struct Context {
-    flags: c_int,
-    filter: *const c_void,
     instance: c_uint,
+    instance_prim: c_uint,
 }
 
-const SONAME: &str = "libembree3.so.3";
+/// `RTCIntersectArguments` and `RTCOccludedArguments`.
+#[repr(C)]
+struct Arguments {
+    flags: c_int,
+    features: c_uint,
+    context: *mut Context,
+    filter: *const c_void,
+    callback: *const c_void,
+}
+
+const SONAME: &str = "libembree4.so.4";
+/// The version, as 10000 major + 100 minor + patch, from which on the types are those of this module.
+const OLDEST: isize = 40_400;
+const VERSION: c_int = 0;
 const NONE: c_uint = c_uint::MAX;
 const TRIANGLES: c_int = 0;
 const INDEX_BUFFER: c_int = 0;
@@ -111,9 +125,10 @@ macro_rules! api {
             }
 
             fn find() -> Result<Self, PeerError> {
-                let missing = |error: libloading::Error| PeerError::NotInstalled(format!("{SONAME}: {error}"));
+                let name = env::var_os("EMBREE_LIBRARY").unwrap_or_else(|| SONAME.into());
+                let missing = |error| PeerError::NotInstalled(format!("{}: {error}", name.display()));
                 // SAFETY: Embree's initialisers have no side effects on this program.
-                let library = unsafe { Library::new(SONAME) }.map_err(missing)?;
+                let library = unsafe { Library::new(&name) }.map_err(missing)?;
                 Ok(Self {
                     // SAFETY: the declarations are those of the headers, and the library is never unloaded.
                     $($field: *unsafe { library.get(concat!($symbol, "\0").as_bytes()) }.map_err(missing)?,)*
@@ -127,6 +142,7 @@ macro_rules! api {
 api! {
     new_device: "rtcNewDevice" fn(*const c_char) -> Handle;
     release_device: "rtcReleaseDevice" fn(Handle);
+    get_property: "rtcGetDeviceProperty" fn(Handle, c_int) -> isize;
     device_error: "rtcGetDeviceError" fn(Handle) -> c_int;
     new_scene: "rtcNewScene" fn(Handle) -> Handle;
     set_scene_flags: "rtcSetSceneFlags" fn(Handle, c_int);
@@ -141,8 +157,8 @@ api! {
     commit_geometry: "rtcCommitGeometry" fn(Handle);
     attach_geometry: "rtcAttachGeometry" fn(Handle, Handle) -> c_uint;
     release_geometry: "rtcReleaseGeometry" fn(Handle);
-    intersect: "rtcIntersect1" fn(Handle, *mut Context, *mut RayHit);
-    occluded: "rtcOccluded1" fn(Handle, *mut Context, *mut RayPart);
+    intersect: "rtcIntersect1" fn(Handle, *mut RayHit, *mut Arguments);
+    occluded: "rtcOccluded1" fn(Handle, *mut RayPart, *mut Arguments);
     set_count: "rtcSetGeometryUserPrimitiveCount" fn(Handle, c_uint);
     set_user_data: "rtcSetGeometryUserData" fn(Handle, *mut c_void);
     set_bounds: "rtcSetGeometryBoundsFunction" fn(Handle, Bounds, *mut c_void);
@@ -165,6 +181,13 @@ impl Scene {
         let device = unsafe { (api.new_device)(c"threads=1".as_ptr()) };
         if device.is_null() {
             return Err(PeerError::Refused("Embree has no device for this processor".to_owned()));
+        }
+        // SAFETY: the device is valid, and not used after its release.
+        let version = unsafe { (api.get_property)(device, VERSION) };
+        if version < OLDEST {
+            // SAFETY: see above.
+            unsafe { (api.release_device)(device) };
+            return Err(PeerError::Refused(format!("Embree has version {version}, expected {OLDEST} or newer")));
         }
         // SAFETY: the device is valid.
         let (handle, geometry) = unsafe { ((api.new_scene)(device), (api.new_geometry)(device, shape)) };
@@ -241,30 +264,37 @@ impl Drop for Scene {
 
 impl Tracer for Scene {
     fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
-        let mut context = Context::new();
+        let mut context = Context::NONE;
+        let mut arguments = Arguments::new(&raw mut context);
         each(rays, hits, |ray| {
             let mut hit = RayHit::new(ray);
-            // SAFETY: the scene is committed; context and ray are initialised, aligned, and owned by this function.
-            unsafe { (self.api.intersect)(self.handle, &raw mut context, &raw mut hit) };
+            // SAFETY: the scene is committed; all are initialised, aligned, and owned by this function.
+            unsafe { (self.api.intersect)(self.handle, &raw mut hit, &raw mut arguments) };
             (hit.geometry != NONE).then_some((hit.prim, hit.ray.tfar))
         });
     }
 
     fn any(&self, rays: &[Ray], hits: &mut [bool]) {
-        let mut context = Context::new();
+        let mut context = Context::NONE;
+        let mut arguments = Arguments::new(&raw mut context);
         each(rays, hits, |ray| {
             let mut ray = RayPart::new(ray);
             // SAFETY: see `closest`.
-            unsafe { (self.api.occluded)(self.handle, &raw mut context, &raw mut ray) };
+            unsafe { (self.api.occluded)(self.handle, &raw mut ray, &raw mut arguments) };
             ray.tfar == f32::NEG_INFINITY
         });
     }
 }
 
 impl Context {
-    /// The result of `rtcInitIntersectContext`.
-    fn new() -> Self {
-        Self { flags: 0, filter: ptr::null(), instance: NONE }
+    /// The result of `rtcInitRayQueryContext`.
+    const NONE: Self = Self { instance: NONE, instance_prim: NONE };
+}
+
+impl Arguments {
+    /// The result of `rtcInitIntersectArguments`, with all features, and a context.
+    const fn new(context: *mut Context) -> Self {
+        Self { flags: 0, features: c_uint::MAX, context, filter: ptr::null(), callback: ptr::null() }
     }
 }
 
@@ -272,7 +302,15 @@ impl RayHit {
     #[inline]
     fn new(ray: &Ray) -> Self {
         let ray = RayPart::new(ray);
-        Self { ray, normal: [0.0; 3], weights: [0.0; 2], prim: NONE, geometry: NONE, instance: NONE }
+        Self {
+            ray,
+            normal: [0.0; 3],
+            weights: [0.0; 2],
+            prim: NONE,
+            geometry: NONE,
+            instance: NONE,
+            instance_prim: NONE,
+        }
     }
 }
 

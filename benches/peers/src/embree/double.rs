@@ -11,7 +11,7 @@
 
 use std::ffi::{c_int, c_uint, c_void};
 
-use super::{Context, Kind, NONE, RayHit, RayPart, Scene};
+use super::{Arguments, Context, Kind, NONE, RayHit, RayPart, Scene};
 use crate::{Hit, PeerError, Ray, Tracer, each};
 
 type Point = [f64; 3];
@@ -47,7 +47,8 @@ pub(super) struct RayArguments<R> {
     valid: *mut c_int,
     user: *const c_void,
     prim: c_uint,
-    context: *mut Context,
+    /// The `RTCRayQueryContext` of the call.
+    context: *mut c_void,
     ray: *mut R,
     count: c_uint,
     geometry: c_uint,
@@ -101,8 +102,9 @@ impl Tracer for DoubleScene {
     fn closest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         each(rays, hits, |ray| {
             let (mut context, mut hit) = (DoubleContext::new(ray), RayHit::new(ray));
+            let mut arguments = Arguments::new((&raw mut context).cast());
             // SAFETY: see `Scene`. The context is the first field of a `DoubleContext`, which the callbacks expect.
-            unsafe { (self.scene.api.intersect)(self.scene.handle, (&raw mut context).cast(), &raw mut hit) };
+            unsafe { (self.scene.api.intersect)(self.scene.handle, &raw mut hit, &raw mut arguments) };
             (hit.geometry != NONE).then_some((hit.prim, context.tmax as f32))
         });
     }
@@ -110,8 +112,9 @@ impl Tracer for DoubleScene {
     fn any(&self, rays: &[Ray], hits: &mut [bool]) {
         each(rays, hits, |ray| {
             let (mut context, mut part) = (DoubleContext::new(ray), RayPart::new(ray));
+            let mut arguments = Arguments::new((&raw mut context).cast());
             // SAFETY: see `closest`.
-            unsafe { (self.scene.api.occluded)(self.scene.handle, (&raw mut context).cast(), &raw mut part) };
+            unsafe { (self.scene.api.occluded)(self.scene.handle, &raw mut part, &raw mut arguments) };
             part.tfar == f32::NEG_INFINITY
         });
     }
@@ -122,7 +125,7 @@ impl DoubleContext {
     fn new(ray: &Ray) -> Self {
         let [origin, direction] = [ray.origin, ray.direction].map(|v| v.map(f64::from));
         let [tmin, tmax] = [ray.tmin, ray.tmax].map(f64::from);
-        Self { context: Context::new(), origin, direction, moment: cross(direction, origin), tmin, tmax }
+        Self { context: Context::NONE, origin, direction, moment: cross(direction, origin), tmin, tmax }
     }
 
     /// The distance of a triangle that the ray hits up to `tmax`.
