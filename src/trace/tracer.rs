@@ -22,7 +22,7 @@ use crate::geom::lanes::{Level, Precision, with_baseline};
 use crate::geom::{Ball, Mesh, Ray};
 use crate::tree::Node;
 use crate::wide::{Method, Tables, Unsupported, Wanted};
-use interleaved::{Answer, HitQuery, Job, trace, trace_one};
+use interleaved::{Answers, HitQuery, Job, trace, trace_one};
 use shared::{LaneRay, Query};
 
 pub(super) use interleaved::with_memory;
@@ -90,7 +90,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         let tables = Tables::of(method, bvh.borrow());
         let tracer = Self { bvh, method, tables, level: Level::new(), precision: PhantomData };
         // Detects an unfit traversal before the first ray.
-        tracer.run(&[], HitQuery::Distance, &mut |_, _| ()).map(|()| tracer)
+        tracer.run(&[], HitQuery::Distance, Answers::Distances(&mut [])).map(|()| tracer)
     }
 
     /// Returns this tracer with another instruction level. The answers do not change.
@@ -121,16 +121,14 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
 
     /// Returns triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<V>) -> Option<(u32, V::Real)> {
-        self.one(ray, HitQuery::Distance).map(distance)
+        self.one(ray, HitQuery::Distance).map(|hit| (hit.prim, hit.t))
     }
 
     /// Computes the [`closest_distance`](Self::closest_distance) of each ray, on this thread, into `found`. If the
     /// lengths differ, the shorter slice determines the number of rays.
     pub fn closest_distances(&self, rays: &[Ray<V>], found: &mut [Option<(u32, V::Real)>]) {
         let count = rays.len().min(found.len());
-        self.run_fit(&rays[..count], HitQuery::Distance, &mut |i, hit: Option<Hit<V::Real>>| {
-            found[i] = hit.map(distance);
-        });
+        self.run_fit(&rays[..count], HitQuery::Distance, Answers::Distances(&mut found[..count]));
     }
 
     /// Returns the children of an inner node that a ray wants before its first hit: those whose boxes it meets, with
@@ -151,25 +149,20 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         answer.unwrap_or(None)
     }
 
-    fn each<A: Clone + Default>(
-        &self,
-        rays: &[Ray<V>],
-        ask: HitQuery,
-        answer: impl Fn(Option<Hit<V::Real>>) -> A,
-    ) -> Vec<A> {
-        let mut answers = vec![A::default(); rays.len()];
-        self.run_fit(rays, ask, &mut |i, hit| answers[i] = answer(hit));
-        answers
+    fn hits(&self, rays: &[Ray<V>], ask: HitQuery) -> Vec<Option<Hit<V::Real>>> {
+        let mut hits = vec![None; rays.len()];
+        self.run_fit(rays, ask, Answers::Hits(&mut hits));
+        hits
     }
 
     /// The constructor has checked that the traversal fits.
-    fn run_fit(&self, rays: &[Ray<V>], ask: HitQuery, answer: &mut Answer<'_, V>) {
-        let ran = self.run(rays, ask, answer);
+    fn run_fit(&self, rays: &[Ray<V>], ask: HitQuery, answers: Answers<'_, V>) {
+        let ran = self.run(rays, ask, answers);
         debug_assert_eq!(ran, Ok(()));
     }
 
-    fn run(&self, rays: &[Ray<V>], ask: HitQuery, answer: &mut Answer<'_, V>) -> Result<(), Unsupported> {
-        trace(self.method, self.job(ask), rays, answer)
+    fn run(&self, rays: &[Ray<V>], ask: HitQuery, mut answers: Answers<'_, V>) -> Result<(), Unsupported> {
+        trace(self.method, self.job(ask), rays, &mut answers)
     }
 
     fn job(&self, ask: HitQuery) -> Job<'_, V> {
@@ -203,15 +196,17 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> RayQueries<Ray<V>> for Tracer<T, V>
     }
 
     fn closest_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
-        self.each(rays, HitQuery::Closest, |hit| hit)
+        self.hits(rays, HitQuery::Closest)
     }
 
     fn any_each(&self, rays: &[Ray<V>]) -> Vec<bool> {
-        self.each(rays, HitQuery::Any, |hit| hit.is_some())
+        let mut found = vec![false; rays.len()];
+        self.run_fit(rays, HitQuery::Any, Answers::Any(&mut found));
+        found
     }
 
     fn any_hit_each(&self, rays: &[Ray<V>]) -> Vec<Option<Self::Hit>> {
-        self.each(rays, HitQuery::AnyHit, |hit| hit)
+        self.hits(rays, HitQuery::AnyHit)
     }
 }
 
@@ -277,10 +272,6 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> MeshQueries<V> for Tracer<T, V> {
         self.run_shared(&mut query);
         query.nears().collect()
     }
-}
-
-fn distance<R: Copy>(hit: Hit<R>) -> (u32, R) {
-    (hit.prim, hit.t)
 }
 
 impl<T, V> fmt::Debug for Tracer<T, V> {
