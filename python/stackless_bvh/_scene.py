@@ -31,8 +31,8 @@ class Scene(Inside, Segments):
         Shape (m, 3), integers: three rows of `vertices` for each triangle. Faces without an area are allowed, and no
         ray hits them.
     build
-        Builder of the hierarchy: "standard", "fast" (the fastest build), "best" (the fastest rays), "sbvh", "bounded"
-        or "median". Answers do not depend on it.
+        Builder of the hierarchy: "standard", "best" (a longer build, rays a little faster), "sbvh", "bounded" or
+        "median". Answers do not depend on it.
     progress
         Called periodically during the build as ``progress(done, count)``, with numbers of faces.
 

@@ -32,7 +32,7 @@ THREADS, RAYS = 8, 600
 MARGIN = (16, 1)
 # All threads of the pool, the calling thread only, one row.
 ROWS = [slice(0, RAYS), slice(100, 140), slice(7, 8)]
-BUILDS = ["standard", "fast", "best", "sbvh", "bounded", "median"]
+BUILDS = ["standard", "best", "sbvh", "bounded", "median"]
 AGAIN = ["build", "save_and_load", "pickle", "copy_and_refit"]
 
 

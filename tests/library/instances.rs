@@ -100,7 +100,7 @@ fn answers_are_those_of_rational_arithmetic<V: Kind>() {
         hits += cases.iter().filter(|(_, hits)| !hits.is_empty()).count();
         deep += cases.iter().filter_map(|(_, hits)| hits.first()).filter(|hit| hit.path.len() > 1).count();
         several += cases.iter().filter(|(_, hits)| hits.len() > 1).count();
-        for (builder, leaf) in [(Builder::Median, 1), (Builder::Standard, 1), (Builder::Spatial, 2), (Builder::Fast, 4)]
+        for (builder, leaf) in [(Builder::Median, 1), (Builder::Standard, 1), (Builder::Spatial, 2), (Builder::Best, 4)]
         {
             let built = hierarchies(scene, builder, leaf);
             let (assembly, root) = assembly(&built, scene);

@@ -31,17 +31,14 @@
 // The index that means no face, for a ray that misses.
 #define STACKLESS_NO_FACE UINT32_MAX
 
-// Build quality: a moderate build time, and nearly the fastest queries.
+// Build quality: a short build, and nearly the fastest queries.
 #define STACKLESS_QUALITY_STANDARD 0
 
-// Build quality: a shorter build, and slower queries.
-#define STACKLESS_QUALITY_FAST 1
+// Build quality: a long build.
+#define STACKLESS_QUALITY_HIGH 1
 
-// Build quality: a longer build.
-#define STACKLESS_QUALITY_HIGH 2
-
-// Build quality: like standard, with long and thin triangles split between leaves. It takes more memory.
-#define STACKLESS_QUALITY_SPATIAL 3
+// Build quality: a long build, with long and thin triangles split between leaves. It takes more memory.
+#define STACKLESS_QUALITY_SPATIAL 2
 
 // The calling thread answers a batch.
 #define STACKLESS_SERIAL 0

@@ -15,9 +15,7 @@ use stackless_scene::{scene_from_bytes, scene_to_bytes, write_atomically};
 
 use crate::error::{Error, Fault};
 use crate::memory::{Anywhere, In};
-use crate::types::{
-    Options, STACKLESS_QUALITY_FAST, STACKLESS_QUALITY_HIGH, STACKLESS_QUALITY_SPATIAL, STACKLESS_QUALITY_STANDARD,
-};
+use crate::types::{Options, STACKLESS_QUALITY_HIGH, STACKLESS_QUALITY_SPATIAL, STACKLESS_QUALITY_STANDARD};
 
 /// A mesh with its hierarchy. Any number of threads may query it at the same time.
 #[derive(Debug)]
@@ -193,10 +191,9 @@ fn vectors<V: Precision>(vertices: &Vertices<'_, V>) -> Result<Vec<V>, Fault> {
 fn builder(quality: u32) -> Result<Builder, Fault> {
     Ok(match quality {
         STACKLESS_QUALITY_STANDARD => Builder::Standard,
-        STACKLESS_QUALITY_FAST => Builder::Fast,
         STACKLESS_QUALITY_HIGH => Builder::Best,
         STACKLESS_QUALITY_SPATIAL => Builder::Spatial,
-        _ => return Err(Fault::argument(format!("quality: {quality}, expected a STACKLESS_QUALITY constant, 0 to 3"))),
+        _ => return Err(Fault::argument(format!("quality: {quality}, expected a STACKLESS_QUALITY constant, 0 to 2"))),
     })
 }
 

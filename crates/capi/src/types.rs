@@ -9,14 +9,12 @@ use crate::exact::Point;
 /// The index that means no face, for a ray that misses.
 pub const STACKLESS_NO_FACE: u32 = u32::MAX;
 
-/// Build quality: a moderate build time, and nearly the fastest queries.
+/// Build quality: a short build, and nearly the fastest queries.
 pub const STACKLESS_QUALITY_STANDARD: u32 = 0;
-/// Build quality: a shorter build, and slower queries.
-pub const STACKLESS_QUALITY_FAST: u32 = 1;
-/// Build quality: a longer build.
-pub const STACKLESS_QUALITY_HIGH: u32 = 2;
-/// Build quality: like standard, with long and thin triangles split between leaves. It takes more memory.
-pub const STACKLESS_QUALITY_SPATIAL: u32 = 3;
+/// Build quality: a long build.
+pub const STACKLESS_QUALITY_HIGH: u32 = 1;
+/// Build quality: a long build, with long and thin triangles split between leaves. It takes more memory.
+pub const STACKLESS_QUALITY_SPATIAL: u32 = 2;
 
 /// The calling thread answers a batch.
 pub const STACKLESS_SERIAL: u32 = 0;

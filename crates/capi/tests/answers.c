@@ -410,7 +410,7 @@ int main(int count, char **arguments)
 {
     CHECK(count == 2);
     make();
-    for (uint32_t quality = 0; quality < 4; quality++) {
+    for (uint32_t quality = 0; quality <= STACKLESS_QUALITY_SPATIAL; quality++) {
         scene_t *scene = soup(quality, quality);
         batches(scene, quality % 2 ? STACKLESS_PARALLEL : STACKLESS_SERIAL);
         if (quality == STACKLESS_QUALITY_STANDARD) {

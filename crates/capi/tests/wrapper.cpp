@@ -42,7 +42,7 @@ template <class Real> static void run(const std::string& file)
     // A tetrahedron.
     std::vector<vertex<Real>> vertices = {{0, 0, 0, 'a'}, {4, 0, 0, 'b'}, {0, 4, 0, 'c'}, {0, 0, 4, 'd'}};
     const std::array<std::array<std::uint32_t, 3>, 4> faces = {{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-    scene made(vertices, faces, {STACKLESS_QUALITY_FAST, 2});
+    scene made(vertices, faces, {STACKLESS_QUALITY_HIGH, 2});
     made.save(file);
     scene moved = scene::load(file);
     made = scene::from_bytes(moved.to_bytes());

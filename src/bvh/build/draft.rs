@@ -3,7 +3,7 @@
 use super::record::{CHUNK, Record};
 use super::reinsert::reinsert;
 use super::sah::NODE_COST;
-use super::{BuildError, Builder, Primitives, SahOptions, filled, reserve, room};
+use super::{BuildError, Primitives, Rounds, SahOptions, filled, reserve, room};
 use crate::bvh::least::Least;
 use crate::bvh::{Bvh, BvhNode, BvhTree, Leaf, LeafTriangle};
 use crate::geom::{Aabb, Region};
@@ -74,14 +74,14 @@ impl Draft {
         Ok(())
     }
 
-    /// Returns the draft after the moves of this builder.
+    /// Returns the draft after these moves.
     pub(in crate::bvh) fn improved(
         mut self,
-        builder: Builder,
+        rounds: Rounds,
         sah: SahOptions,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, BuildError> {
-        reinsert(&mut self.nodes, builder.rounds(), sah, progress)?;
+        reinsert(&mut self.nodes, rounds, sah, progress)?;
         Ok(self)
     }
 

@@ -14,13 +14,18 @@ use crate::threads;
 
 /// The number of nodes to move.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rounds {
+pub(in crate::bvh) struct Rounds {
     pub(super) count: u32,
     /// The share of the nodes that may move in the first round, those of the largest area.
     pub(super) share: f32,
     /// The factor of this share from round to round. In the first rounds moves obstruct each other; rounds matter more
     /// than shares.
     pub(super) decay: f32,
+}
+
+impl Rounds {
+    /// Up to 10 % of the nodes.
+    pub(in crate::bvh) const SEVERAL: Self = Self { count: 4, share: 0.1, decay: 0.7 };
 }
 
 /// Optimises a tree whose children are adjacent, the first pair at 1. The depth limit is kept if the tree keeps it.

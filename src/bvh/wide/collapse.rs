@@ -71,7 +71,7 @@ impl BuildOptions {
     /// use stackless_bvh::bvh::{BuildOptions, Builder, WideBvh};
     /// use stackless_bvh::generate::procedural;
     ///
-    /// let options = BuildOptions { builder: Builder::Fast, ..BuildOptions::default() };
+    /// let options = BuildOptions { builder: Builder::Best, ..BuildOptions::default() };
     /// let wide: WideBvh = options.build_wide(&procedural::strands(1, 100))?;
     /// # Ok::<(), stackless_bvh::bvh::WideError>(())
     /// ```

@@ -5,8 +5,8 @@ use std::ops::Range;
 use fearless_simd::Simd;
 
 use super::{BLOCK_BITS, WideBvh, WideNode};
-use crate::bvh::build::{Draft, Record, filled, merge, room, scale};
-use crate::bvh::{BuildError, BuildOptions, Builder, Bvh};
+use crate::bvh::build::{Draft, Record, Rounds, filled, merge, room, scale};
+use crate::bvh::{BuildError, BuildOptions, Bvh};
 use crate::geom::lanes::{Block, Precision, levels, vectorize};
 use crate::geom::{Aabb, Mesh, Triangle, Vector};
 use crate::order::Side;
@@ -123,7 +123,7 @@ pub(super) fn draft_over_leaves<const A: usize, V: Precision>(
     }
     let is_scaled = scale(&mut items);
     let nodes = vectorize!(levels()[0].1, simd => merged(simd, wide, &items))?;
-    let draft = Draft::counted(nodes, false).improved(Builder::Standard, BuildOptions::fine().sah, &|_| ())?;
+    let draft = Draft::counted(nodes, false).improved(Rounds::SEVERAL, BuildOptions::fine().sah, &|_| ())?;
     let draft = if is_scaled {
         let boxes: Vec<_> = wide.leaf_boxes().map(|(_, aabb)| aabb).collect();
         draft.fitted(|leaf| boxes[leaf as usize])?

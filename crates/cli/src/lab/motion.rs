@@ -99,7 +99,7 @@ const CHUNK: usize = 2048;
 
 fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
     let mut followers: Vec<Box<dyn Follower>> = Vec::new();
-    for how in [How::Built(Builder::Standard), How::Built(Builder::Fast), How::Optimized, How::Refitted] {
+    for how in [How::Built(Builder::Standard), How::Optimized, How::Refitted] {
         followers.push(Box::new(Own { how, tree: options(Builder::Standard).build_wide(&scene.mesh)? }));
     }
     #[cfg(feature = "peers")]

@@ -10,7 +10,7 @@ fn a_build_that_was_asked_for_is_not_replaced() {
     let rays = Folder::new();
     let rays = rays.file("rays.csv", "0,0,9,0,0,-1,0,inf\n");
     let rays = rays.display();
-    for build in ["standard", "fast", "sbvh"] {
+    for build in ["standard", "best", "sbvh"] {
         let run = stackless(&format!("trace soup --rays {rays} -o - --method complete --build {build}"), &[]);
         run.fails_naming(&["complete"]);
         let run = stackless(

@@ -125,8 +125,7 @@ fn threads_change_nothing() {
     let made = [1, 2, 5].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| {
-            let options = BuildOptions { builder: Builder::Fast, ..BuildOptions::default() };
-            let mut wide: WideBvh = options.build_wide(&mesh).expect("a tree");
+            let mut wide = WideBvh::build(&mesh).expect("a tree");
             wide.refit(&moved).expect("as many");
             let refitted = wide.nodes.clone();
             wide.optimize().expect("memory");
