@@ -3,7 +3,7 @@ use glam::Vec3;
 use super::*;
 use crate::bvh::wide::tests::{chain, cut, triangles, wide};
 use crate::bvh::wide::{WideNode, name_ancestors};
-use crate::bvh::{BuildOptions, Builder, Degenerate};
+use crate::bvh::{BuildOptions, Degenerate};
 use crate::generate::{double, procedural};
 use crate::wide::Topology;
 
