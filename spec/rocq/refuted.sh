@@ -94,7 +94,7 @@ refuted 's/Eq => (snd a <? snd b)%N/Eq => false/' is_less_is_exact Answer.v
 refuted 's/compare i j = Rcompare (exact_t i) (exact_t j)\./compare i j = Rcompare (value f) (value g)./' is_less_is_exact Answer.v
 refuted 's/(snd l <? least)%N/(snd l <=? least)%N/' settled_is Settled.v
 refuted 's/Rlt_bool (fst l) near/Rle_bool (fst l) near/' settled_is Settled.v
-refuted 's/sub (fine_y way) (mul/add (fine_y way) (mul/' less_stands FineNear.v
+refuted 's/(mul (exact p) (exact dy))/(mul (exact dy) (exact dy))/' less_stands FineNear.v
 refuted 's/vz o + x \* vz d/vz o + x * vy d/' any_point_serves FineNear.v
 refuted 's/- u \* vx e1/- u * vx e2/' residual_corrects Corrected.v
 refuted 's/if wanted i then kernel i else None/kernel i/' meet_accepts Filters.v
