@@ -174,6 +174,8 @@ refuted 's/(fst x) (fst y) then x else/(fst x) (fst y) then y else/' lesser_is F
 refuted 's/else CompOpp turn/else turn/' slope_is LineOrder.v
 refuted 's/| a, b => compare_bool b a$/| a, b => compare_bool a b/' order_compares_places LineOrder.v
 refuted 's/a <> zero -> b <> zero -> order_of_lines/0 = 0 -> 0 = 0 -> order_of_lines/' equal_is_parallel LineOrder.v
+refuted 's/dot3 v w + dot3 w u/dot3 v w - dot3 w u/' real_part Angles.v
+refuted 's/exists r, 0 < r \/\\/exists r, 0 <> r \/\\/' angles_add_up Angles.v
 
 # Without the changes all of them are proved, in the same way.
 for files in "${!theorems[@]}"; do
