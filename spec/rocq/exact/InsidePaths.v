@@ -76,7 +76,7 @@ Proof.
   replace (top_t x * dot3 w w / det x) with (top_t x / det x * dot3 w w) in M by (field; exact D). lra.
 Qed.
 
-(** Outside of the bounds no ray needs to be traced: every ray has an even count, and in an oriented mesh the sum 0. [CLOSED-2](4) *)
+(** Outside of the bounds no ray needs to be traced: every ray has an even count, and in an oriented mesh the sum 0. [CLOSED-2](5) *)
 Theorem outside_is_outside k l o d w : balanced k (edges l) -> beyond o w l -> w <> zero -> d <> zero -> (k | winding o d l)%Z.
 Proof.
   intros B H W X. pose proof (rays_agree k l o d w B (beyond_is_off o w l H) X W) as R. replace (winding o w l) with 0%Z in R; [now rewrite Z.sub_0_r in R|].
