@@ -94,7 +94,7 @@ refuted 's/Eq => (snd a <? snd b)%N/Eq => false/' is_less_is_exact Answer.v
 refuted 's/compare i j = Rcompare (exact_t i) (exact_t j)\./compare i j = Rcompare (value f) (value g)./' is_less_is_exact Answer.v
 refuted 's/(snd l <? least)%N/(snd l <=? least)%N/' settled_is Settled.v
 refuted 's/Rlt_bool (fst l) near/Rle_bool (fst l) near/' settled_is Settled.v
-refuted 's/sub (fine_y way) (mul/add (fine_y way) (mul/' less_stands FineNear.v
+refuted 's/(mul (exact p) (exact dy))/(mul (exact dy) (exact dy))/' less_stands FineNear.v
 refuted 's/vz o + x \* vz d/vz o + x * vy d/' any_point_serves FineNear.v
 refuted 's/- u \* vx e1/- u * vx e2/' residual_corrects Corrected.v
 refuted 's/if wanted i then kernel i else None/kernel i/' meet_accepts Filters.v
@@ -151,6 +151,31 @@ refuted 's/128 \* u/96 * u/g' margin_is PartNumbers.v
 refuted 's/is_new l e -> 0 <= value/is_new l e -> -1 <= value/' cut_keeps Parts.v
 refuted 's/corner_b : 0 <= d3 -> /corner_b : -1 <= d3 -> /' certified_is_nearest Nearest.v
 refuted 's/0 < B2R (d_least a) .. B2R (d_most a) < 0/0 < B2R (d_most a) \\\/ B2R (d_least a) < 0/' narrow_keeps EnclosedBoxes.v
+refuted 's/balanced m l -> (m | sum g l)/0 = 0 -> (m | sum g l)/' adds_up Chains.v
+refuted 's/no_end x l -> (k |/0 = 0 -> (k |/' balanced_iff_covered Closed.v
+refuted 's/Z.odd (faces s)) (shares l)/Z.even (faces s)) (shares l)/' is_closed_is_right Closed.v
+refuted 's/(- net s, net s)%Z) (one_sided/(net s, net s)%Z) (one_sided/' is_oriented_is_right Closed.v
+refuted 's/scale (-1) v/scale 1 v/' triangle_is_fan Fans.v
+refuted 's/off_edges x a b c -> off_edges e/0 = 0 -> off_edges e/' triangle_is_fan Fans.v
+refuted 's/(k \* sign (vol x f p) =? 1)/(k * sign (vol x f p) =? -1)/' fan_along Fans.v
+refuted 's/~ (exists u v, 0 <= u/~ (exists u v, 1 <= u/' plane_is_no_fan Fans.v
+refuted 's/ \\\/ touches o (Vec 0 0 1) t\././' is_on_is_right Inside.v
+refuted 's/Rle_bool 0 (top_t x \/ det x)\./Rle_bool (top_t x \/ det x) 0./' crossing_is_cover Inside.v
+refuted 's/~ contains t o -> small/0 = 0 -> small/' crossing_is_cover Inside.v
+refuted 's/balanced k (edges l) -> (forall t/0 = 0 -> (forall t/' rays_agree InsideRays.v
+refuted 's/dot3 w (less p o) < 0\./dot3 w (less p o) <= 0./' beyond_is_missed InsidePaths.v
+refuted 's/negb (Rle_bool 1 (top_t/negb (Rle_bool 2 (top_t/' next_crossing InsidePaths.v
+refuted 's/0 <= s <= 1 -> ~ contains/0 < s < 1 -> ~ contains/' path_keeps InsidePaths.v
+refuted 's/net s \* fan o x e (line s)) (one_sided (edges l)))%Z\./fan o x e (line s)) (one_sided (edges l)))%Z./' covers_are_crossings_and_border Winding.v
+refuted 's/sub (inside (lo a)) point/sub (inside (hi a)) point/' step_stands FineAfar.v
+refuted 's/R64 (R64 (radius x \* bpow radix2 e) + UNDERFLOW)/R64 (radius x * bpow radix2 e)/' times_two_to_stands FineAfar.v
+refuted 's/point a <= low_end a/low_end a <= point a/' way_is_least FineAfar.v
+refuted 's/(fst x) (fst y) then x else/(fst x) (fst y) then y else/' lesser_is FineAfar.v
+refuted 's/else CompOpp turn/else turn/' slope_is LineOrder.v
+refuted 's/| a, b => compare_bool b a$/| a, b => compare_bool a b/' order_compares_places LineOrder.v
+refuted 's/a <> zero -> b <> zero -> order_of_lines/0 = 0 -> 0 = 0 -> order_of_lines/' equal_is_parallel LineOrder.v
+refuted 's/dot3 v w + dot3 w u/dot3 v w - dot3 w u/' real_part Angles.v
+refuted 's/exists r, 0 < r \/\\/exists r, 0 <> r \/\\/' angles_add_up Angles.v
 
 # Without the changes all of them are proved, in the same way.
 for files in "${!theorems[@]}"; do

@@ -3,9 +3,9 @@
 //! # Idea
 //!
 //! The edges of all faces, each with the number of faces that share it, are a chain. A surface is closed if the chain
-//! covers each point of each edge an even number of times, for every position of the vertices: a vertex may lie in the
-//! middle of a neighbour's edge (a T-junction). On one line, a bounded chain covers every point an even number of times
-//! if and only if every point is the end of an even number of its edges. So it suffices to visit each vertex, and to
+//! covers each point of each line an even number of times, except the ends of edges, for every position of the vertices:
+//! a vertex may lie in the middle of a neighbour's edge (a T-junction). On one line, a bounded chain covers all these
+//! points an even number of times if and only if every point is the end of an even number of its edges. So it suffices to visit each vertex, and to
 //! sort the edges that end there by their lines. The same holds with signs: a surface is oriented if the edges cover
 //! every point equally often in both directions. `[CLOSED-1]`
 //!
