@@ -70,7 +70,7 @@ pub(super) fn trace_one<V: Precision>(
     })
 }
 
-/// Answers each ray. There are as many answers.
+/// Answers each ray. `answers` has a place for each.
 pub(super) fn trace<V: Precision>(
     method: Method,
     job: Job<'_, V>,
