@@ -14,6 +14,7 @@
 //! takes about a thousand times as long. `[INST-5]`
 
 mod assembly;
+mod crossings;
 mod walk;
 mod wide_walk;
 

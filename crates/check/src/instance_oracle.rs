@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use dashu_int::ops::BitTest as _;
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
@@ -180,24 +181,62 @@ impl<V: Vector> InstanceOracle<V> {
 
     /// Returns all hits, ordered by exact distance, path and triangle.
     pub fn all(&self, ray: &Ray<V>) -> Vec<InstanceHit<V::Real>> {
-        let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
-        let log = self.log.max(log_of(line.as_flattened().iter()));
-        let [o, d] = line.map(|v| v.map(|x| scaled(&x, log)));
-        let ([tmin, tmax], finer) = ([ray.tmin(), ray.tmax()], log - self.log);
-        let hits = self.triangles.iter().filter_map(|placed| {
-            let corners = placed.exact.each_ref().map(|corner| corner.each_ref().map(|x| x << finer));
-            let [t, u, v] = meet(&corners, &o, &d)?;
-            let ends_before = tmax != V::Real::INFINITY && t > exact(tmax);
-            let is_within = !ends_before && t >= exact(tmin);
-            is_within.then_some((t, &placed.path, placed.prim, [u, v]))
-        });
-        let mut hits: Vec<_> = hits.collect();
+        let mut hits: Vec<_> =
+            self.met(ray).map(|([t, u, v], placed, _)| (t, &placed.path, placed.prim, [u, v])).collect();
         hits.sort();
         let rounded = |(t, path, prim, [u, v]): (RBig, &Vec<u32>, u32, [RBig; 2])| {
             let [t, u, v] = [&t, &u, &v].map(V::Real::nearest);
             InstanceHit { path: path.clone(), prim, t, u, v }
         };
         hits.into_iter().map(rounded).collect()
+    }
+
+    /// Counts the hits that remain if the origin is moved by (ε, ε², ε³), for an ε that is small enough. `[INST-8]`
+    pub fn crossings(&self, ray: &Ray<V>) -> u32 {
+        let is_crossing = |([_, u, v], _, line): &Met<'_, V>| {
+            let Line { corners, o, d } = line;
+            // All integers have fewer bits, so an edge function that is not 0, times ε, outweighs its other changes.
+            let bits = 3 * line.bits() + 8;
+            let finer = |point: &IntegerPoint| point.each_ref().map(|x| x << (3 * bits));
+            let [x, y, z] = finer(o);
+            let moved = [x + (IBig::ONE << (2 * bits)), y + (IBig::ONE << bits), z + IBig::ONE];
+            // Inside, there is room to move.
+            let is_inside = *u > RBig::ZERO && *v > RBig::ZERO && u + v < RBig::ONE;
+            is_inside || meet(&corners.each_ref().map(finer), &moved, d).is_some()
+        };
+        self.met(ray).filter(is_crossing).count() as u32
+    }
+
+    /// Returns distance and weights of each hit, with its triangle, in any order.
+    fn met(&self, ray: &Ray<V>) -> impl Iterator<Item = Met<'_, V>> {
+        let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
+        let log = self.log.max(log_of(line.as_flattened().iter()));
+        let [o, d] = line.map(|v| v.map(|x| scaled(&x, log)));
+        let ([tmin, tmax], finer) = ([ray.tmin(), ray.tmax()], log - self.log);
+        self.triangles.iter().filter_map(move |placed| {
+            let corners = placed.exact.each_ref().map(|corner| corner.each_ref().map(|x| x << finer));
+            let found = meet(&corners, &o, &d)?;
+            let ends_before = tmax != V::Real::INFINITY && found[0] > exact(tmax);
+            let is_within = !ends_before && found[0] >= exact(tmin);
+            is_within.then(|| (found, placed, Line { corners, o: o.clone(), d: d.clone() }))
+        })
+    }
+}
+
+/// Distance and weights of a hit, the triangle, and the integers of the triangle and of the line.
+type Met<'a, V> = ([RBig; 3], &'a Placed<V>, Line);
+
+struct Line {
+    corners: [IntegerPoint; 3],
+    o: IntegerPoint,
+    d: IntegerPoint,
+}
+
+impl Line {
+    /// Number of bits of the greatest integer.
+    fn bits(&self) -> usize {
+        let all = self.corners.iter().chain([&self.o, &self.d]).flatten();
+        all.map(IBig::bit_len).max().unwrap_or(0)
     }
 }
 
