@@ -3,6 +3,7 @@
 //! The Python modules check the types and shapes of arrays; this module checks the values.
 #![forbid(unsafe_code)]
 
+mod all_hits;
 mod arrays;
 mod batch;
 mod errors;

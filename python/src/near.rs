@@ -7,11 +7,12 @@ use pyo3::prelude::*;
 use stackless_bvh::geom::{Ball, Foot, Mesh, Triangle, Vector, check_environment};
 use stackless_bvh::trace::Near;
 
+use crate::all_hits::number_of;
 use crate::arrays::{check_places, numbers, places, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, of_ball, refused};
 use crate::memory::{self, room};
-use crate::queries::{Progress, number_of};
+use crate::queries::Progress;
 use crate::space::{Coordinate, Space};
 use crate::threads::{FEW, Threads, of_chunks};
 

@@ -1,18 +1,17 @@
 //! Queries of many rays or points over a scene, as arrays.
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use rayon::prelude::*;
-use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
-use stackless_bvh::geom::{Mesh, Ray, Vector, check_environment};
+use stackless_bvh::geom::Ray;
 use stackless_bvh::trace::Hit;
 
 use crate::arrays::Rays;
 use crate::batch::in_pieces;
 use crate::errors::failed;
 use crate::memory::{reserve, room};
-use crate::space::{Coordinate, Space};
-use crate::threads::{FEW, ROWS, Threads, of_chunks};
+use crate::space::{Answers, Coordinate, Space};
+use crate::threads::{FEW, ROWS, Threads};
 
 /// A function that is called between pieces.
 pub(crate) type Progress<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
@@ -37,114 +36,22 @@ pub(crate) fn closest<'py, S: Space>(
     found.into_arrays(py)
 }
 
-/// Whether each ray hits anything.
-pub(crate) fn any<'py, S: Space>(
+/// An answer for each ray, as an element of an array.
+pub(crate) fn per_ray<'py, S: Space, A: Send, E: Element>(
     py: Python<'py>,
-    bvh: &S,
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<bool>>> {
+    answer: impl Fn(&[Ray<S::Vector>]) -> Answers<A> + Sync,
+    element: impl Fn(A) -> E,
+) -> PyResult<Bound<'py, PyArray1<E>>> {
     let mut found = room(rays.len())?;
-    let answer = |rays: Vec<Ray<S::Vector>>| bvh.any(&rays).map_err(failed);
-    let keep = |_: &Threads, hits| {
-        found.extend(hits);
+    let answer = |rays: Vec<Ray<S::Vector>>| answer(&rays).map_err(failed);
+    let keep = |_: &Threads, answers: Vec<A>| {
+        found.extend(answers.into_iter().map(&element));
         Ok(())
     };
     in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
     Ok(found.into_pyarray(py))
-}
-
-/// Number of crossings of each ray with the mesh, by the half-open rule.
-pub(crate) fn crossings<'py, S: Space>(
-    py: Python<'py>,
-    bvh: &S,
-    rays: &Rays<'py, S>,
-    progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let mut found = room(rays.len())?;
-    let answer = |rays: Vec<Ray<S::Vector>>| bvh.crossings(&rays).map_err(failed);
-    let keep = |_: &Threads, counts: Vec<_>| {
-        found.extend(counts.into_iter().map(i64::from));
-        Ok(())
-    };
-    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
-    Ok(found.into_pyarray(py))
-}
-
-/// The start of each ray's hits, then distances, triangles, weights and places: 0 in the interior of the triangle, 1 on
-/// an edge, 2 at a corner.
-pub(crate) type AllArrays<'py, R> = (Bound<'py, PyArray1<i64>>, HitArrays<'py, R>, Bound<'py, PyArray1<u8>>);
-
-/// All hits of each ray.
-pub(crate) fn all<'py, S: Space>(
-    py: Python<'py>,
-    (mesh, bvh): (&Mesh<S::Vector>, &S),
-    rays: &Rays<'py, S>,
-    progress: Progress<'_, 'py>,
-) -> PyResult<AllArrays<'py, S::Real>> {
-    let (mut offsets, mut found, mut places) = (room(rays.len() + 1)?, Found::with_room(0)?, Vec::new());
-    offsets.push(0);
-    let answer = |rays: Vec<Ray<S::Vector>>| of_chunks(&rays, FEW, |rays| all_of::<S>(mesh, bvh, rays));
-    let keep = |_: &Threads, chunks: Vec<AllOf<S::Real>>| {
-        let count = chunks.iter().map(|chunk| chunk.hits.len()).sum();
-        found.reserve(count)?;
-        reserve(&mut places, count)?;
-        for AllOf { ends, hits, places: new } in chunks {
-            offsets.extend(ends.into_iter().map(|end| (found.t.len() + end) as i64));
-            for hit in &hits {
-                found.push(Some(hit));
-            }
-            places.extend(new);
-        }
-        Ok(())
-    };
-    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
-    Ok((offsets.into_pyarray(py), found.into_arrays(py)?, places.into_pyarray(py)))
-}
-
-/// All hits of some rays, the end of each ray's hits, and the places of hits.
-struct AllOf<R> {
-    ends: Vec<usize>,
-    hits: Vec<Hit<R>>,
-    places: Vec<u8>,
-}
-
-fn all_of<S: Space>(mesh: &Mesh<S::Vector>, bvh: &S, rays: &[Ray<S::Vector>]) -> PyResult<AllOf<S::Real>> {
-    check_environment().map_err(failed)?;
-    let mut all = AllOf { ends: room(rays.len())?, hits: Vec::new(), places: Vec::new() };
-    for ray in rays {
-        let hits = bvh.all(ray);
-        reserve(&mut all.hits, hits.len())?;
-        reserve(&mut all.places, hits.len())?;
-        all.places.extend(hits.iter().map(|hit| place(mesh, ray, hit)));
-        all.hits.extend(hits);
-        all.ends.push(all.hits.len());
-    }
-    Ok(all)
-}
-
-/// The part of the triangle with a hit, exactly. Weights far from 0 and 1 decide; otherwise rational arithmetic
-/// decides.
-fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V::Real>) -> u8 {
-    let [u, v, near]: [f64; 3] = [hit.u, hit.v, V::Real::NEAR].map(Into::into);
-    if u > near && v > near && 1.0 - u - v > near {
-        return 0;
-    }
-    let corners = mesh.triangle(hit.prim as usize).map(V::components);
-    match meet(corners, ray.origin().components(), ray.direction().components()) {
-        Meeting::Hit(Point { place, .. }) => number_of(place),
-        // Unreachable: the ray hits.
-        Meeting::Miss | Meeting::Coplanar => 0,
-    }
-}
-
-/// The number of a part of a triangle in arrays.
-pub(crate) const fn number_of(place: Place) -> u8 {
-    match place {
-        Place::Interior => 0,
-        Place::Edge => 1,
-        Place::Vertex => 2,
-    }
 }
 
 /// Growing arrays of hits.
@@ -160,10 +67,14 @@ impl<R: Coordinate> Found<R> {
     }
 
     /// Reserves space for `count` more hits.
-    fn reserve(&mut self, count: usize) -> PyResult<()> {
+    pub(crate) fn reserve(&mut self, count: usize) -> PyResult<()> {
         reserve(&mut self.t, count)?;
         reserve(&mut self.primitive, count)?;
         reserve(&mut self.uv, count)
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.t.len()
     }
 
     pub(crate) fn push(&mut self, hit: Option<&Hit<R>>) {
