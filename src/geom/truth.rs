@@ -13,6 +13,7 @@
 mod nearest;
 
 pub use dashu_ratio::{RBig, Relaxed};
+pub(super) use nearest::{nearest_of_integers, round_root_of};
 pub use nearest::{nearest_point, nearest_weights, round_root, square_distance, unit_normal};
 
 use dashu_int::{IBig, Sign};
