@@ -14,6 +14,7 @@ mod inside;
 mod instances;
 mod memory;
 mod near;
+mod placed;
 mod queries;
 mod scene;
 mod space;

@@ -160,6 +160,36 @@ def test_drawn_instances_are_the_exact_images(group, origins, directions):
     check_rays(instances, placed, *(np.array(rows, instances.dtype) for rows in (origins, directions)))
 
 
+@pytest.mark.filterwarnings("ignore:faces. none has an area")
+@settings(max_examples=100)
+@given(groups(meshes(GRID)), points(GRID, 4), st.sampled_from([np.inf, 0.5, 1.0]))
+def test_nearest_points_of_instances_are_those_of_rational_arithmetic(group, centers, radius):
+    instances, placed = group
+    dtype = instances.dtype.type
+    centers = np.array(centers, dtype)
+    near = instances.nearest(centers, radius)
+    assert near.distance.dtype == near.point.dtype == dtype and len(near) == 4
+    twice = Instances([instances], [0], np.eye(4, dtype=dtype)[None]).nearest(centers, radius)
+    assert np.array_equal(twice.distance, near.distance) and np.array_equal(twice.point, near.point, equal_nan=True)
+    for i, center in enumerate(centers):
+        measured = [
+            (*oracle.nearest_square(triangle, oracle.vector(center)), path, face)
+            for path, triangles in placed
+            for face, triangle in enumerate(triangles)
+        ]
+        squares = [square for square, *_ in measured]
+        if min(squares) > radius**2:
+            assert near.distance[i] == np.inf and near.primitive[i] == near.instance[i] == -1
+            assert np.isnan(near.point[i]).all()
+            continue
+        assert oracle.is_rounded_root(near.distance[i], min(squares))
+        # The first of all faces whose distances round to it.
+        rounds = [found for found in measured if oracle.is_rounded_root(near.distance[i], found[0])]
+        _, point, path, face = min(rounds, key=lambda found: found[2:])
+        assert (tuple(near.path[i]), near.primitive[i]) == (path, face)
+        assert near.point[i].tolist() == [oracle.rounded(x, dtype) for x in point]
+
+
 @st.composite
 def tetrahedra(draw):
     return draw(points(GRID, 4)), [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
