@@ -200,8 +200,9 @@ impl<V: Vector> InstanceOracle<V> {
     pub fn crossings(&self, ray: &Ray<V>) -> u32 {
         let is_crossing = |([_, u, v], _, line): &Met<'_, V>| {
             let Line { corners, o, d } = line;
-            // All integers have fewer bits, so an edge function that is not 0, times ε, outweighs its other changes.
-            let bits = 3 * line.bits() + 8;
+            // The edge function is an integer, and so are the factors of ε, ε² and ε³ in its change. With this many bits of
+            // ε, the first of them that is not 0 outweighs the following ones.
+            let bits = 2 * line.bits() + 8;
             let finer = |point: &IntegerPoint| point.each_ref().map(|x| x << (3 * bits));
             let [x, y, z] = finer(o);
             let moved = [x + (IBig::ONE << (2 * bits)), y + (IBig::ONE << bits), z + IBig::ONE];
