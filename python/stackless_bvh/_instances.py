@@ -212,8 +212,8 @@ class Instances:
         """Returns the face of an instance that is nearest to each point, within a radius: the least distance, then the
         least path, then the least face.
 
-        Parameters and errors are those of `Scene.nearest`, which is many times faster: here, intervals bound the images of
-        all boxes, and rational arithmetic computes each nearest point.
+        Parameters and errors are those of `Scene.nearest`, which is many times faster: here, intervals bound the images
+        of all boxes, and rational arithmetic computes each nearest point.
 
         Examples
         --------
