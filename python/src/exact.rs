@@ -7,8 +7,10 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
 use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Mesh, RayError, Triangle, Vector as _, check_environment};
-use stackless_bvh::trace::{Hit, InstanceHit, InstanceTracer, RayQueries};
+use stackless_bvh::trace::{Assembly, Hit, InstanceHit, InstanceTracer, RayQueries};
+use stackless_bvh::traverse::Method;
 
+use crate::all_hits::{AllArrays, all, place};
 use crate::arrays::{Place, Rays, check_aligned, check_places, numbers, places, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, listed, of_ray, refused};
@@ -64,6 +66,10 @@ impl ExactRays {
         either!(self, batch => batch.any(py, progress.as_ref()))
     }
 
+    fn all<'py>(&self, py: Python<'py>, progress: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        either!(self, batch => batch.all(py, progress.as_ref())?.into_bound_py_any(py))
+    }
+
     /// Rays from the hits of `primitives`, along `directions`. Open ends do not belong to the ray.
     fn along<'py>(
         &self,
@@ -115,7 +121,7 @@ where
         Ok(rays.iter().map(|ray| Some(ExactRay::from(ray))).collect())
     };
     let rays = gathered(py, rays.len(), &[], read)?;
-    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays }.into()))
+    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(alone(bvh)?), rays }.into()))
 }
 
 /// Rays from float points to float points, where `t` is 1 exactly.
@@ -141,7 +147,14 @@ where
     };
     let places = places(from.nrows(), arrays, ["a", "b"])?;
     let rays = gathered(py, from.nrows(), &places, |threads, rows| threads.map(rows, ray))?;
-    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(bvh.alone()?), rays }.into()))
+    Ok(ExactRays(Batch { mesh: Arc::clone(mesh), tracer: Arc::new(alone(bvh)?), rays }.into()))
+}
+
+/// A tracer of exact rays through one mesh.
+fn alone<S: Space>(bvh: &Arc<S>) -> PyResult<InstanceTracer<S::Vector>> {
+    let mut assembly = Assembly::new();
+    let object = bvh.add_to(&mut assembly);
+    InstanceTracer::new(&assembly, object, Method::default()).map_err(failed)
 }
 
 /// Reads all rows of arrays piece by piece, and checks that the arrays do not move.
@@ -175,6 +188,17 @@ impl<S: Space> Batch<S> {
         let mut found = room(self.rays.len())?;
         self.each(py, progress, |ray| ray.is_some_and(|ray| self.tracer.any(ray)), |is_hit| found.push(is_hit))?;
         Ok(found.into_pyarray(py))
+    }
+
+    fn all<'py>(&self, py: Python<'py>, progress: Progress<'_, 'py>) -> PyResult<AllArrays<'py, S::Real>> {
+        let hits = |ray: &Option<ExactRay<_>>| ray.as_ref().map(|ray| self.tracer.all(ray)).unwrap_or_default();
+        let describe = |ray: &Option<ExactRay<_>>, InstanceHit { prim, t, u, v, .. }, _: &mut Vec<i64>| {
+            let hit = Hit { prim, t, u, v };
+            let triangle = || Triangle(self.mesh.triangle(prim as usize));
+            let place = place(&hit, || Some(ray.as_ref()?.meet(&triangle(), &[])?.place));
+            (hit, place)
+        };
+        Ok(all(py, (self.rays.len(), |_: &Threads, rows| Ok(&self.rays[rows])), progress, hits, describe)?.0)
     }
 
     /// Answers all rows, on all threads.

@@ -3,6 +3,7 @@
 //! The Python modules check the types and shapes of arrays; this module checks the values.
 #![forbid(unsafe_code)]
 
+mod all_hits;
 mod arrays;
 mod batch;
 mod errors;
@@ -13,6 +14,7 @@ mod inside;
 mod instances;
 mod memory;
 mod near;
+mod placed;
 mod queries;
 mod scene;
 mod space;

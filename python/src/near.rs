@@ -2,18 +2,50 @@
 
 use std::ops::Range;
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use stackless_bvh::geom::{Ball, Foot, Mesh, Triangle, Vector, check_environment};
 use stackless_bvh::trace::Near;
 
-use crate::arrays::{check_places, numbers, places, points, row_of};
+use crate::all_hits::number_of;
+use crate::arrays::{Place, check_places, numbers, places, points, row_of};
 use crate::batch::in_pieces;
 use crate::errors::{failed, of_ball, refused};
 use crate::memory::{self, room};
-use crate::queries::{Progress, number_of};
+use crate::queries::Progress;
 use crate::space::{Coordinate, Space};
 use crate::threads::{FEW, Threads, of_chunks};
+
+/// Balls as two arrays: points of shape (n, 3) and radii of shape (n,).
+pub(crate) struct Balls<'py, S: Space> {
+    points: PyReadonlyArray2<'py, S::Real>,
+    radius: PyReadonlyArray1<'py, S::Real>,
+    places: Vec<Place<'py>>,
+}
+
+impl<'py, S: Space> Balls<'py, S> {
+    /// Checks that the arrays have equal lengths.
+    pub(crate) fn new(arrays: [&Bound<'py, PyAny>; 2]) -> PyResult<Self> {
+        let (points, radius) = (points::<S>(arrays[0], "points")?, numbers::<S>(arrays[1], "radius")?);
+        let (count, radii) = (points.as_array().nrows(), radius.as_array().len());
+        if radii != count {
+            return Err(refused(format!("{count} points, but {radii} radii")));
+        }
+        Ok(Self { points, radius, places: places(count, arrays, ["points", "radius"])? })
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.points.as_array().nrows()
+    }
+
+    /// Some of the balls.
+    pub(crate) fn chunk(&self, rows: Range<usize>) -> PyResult<Vec<Ball<S::Vector>>> {
+        check_places(&self.places)?;
+        let (points, radius) = (self.points.as_array(), self.radius.as_array());
+        let center = |row| S::Vector::from_components(row_of(&points, row));
+        rows.map(|row| Ball::new(center(row), radius[row]).map_err(|error| of_ball(error, row))).collect()
+    }
+}
 
 /// Distances, triangles and points, `k` for each row; infinite, -1 and NaN if there are fewer.
 pub(crate) type NearArrays<'py, R> = (Bound<'py, PyArray2<R>>, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<R>>);
@@ -33,25 +65,14 @@ pub(crate) fn nearest<'py, S: Space>(
     (k, with_details): (usize, bool),
     progress: Progress<'_, 'py>,
 ) -> PyResult<Answer<'py, S::Real>> {
-    let (array, radius) = (points::<S>(arrays[0], "points")?, numbers::<S>(arrays[1], "radius")?);
-    let (array, radius) = (array.as_array(), radius.as_array());
-    let count = array.nrows();
-    if radius.len() != count {
-        return Err(refused(format!("{count} points, but {} radii", radius.len())));
-    }
-    let places = places(count, arrays, ["points", "radius"])?;
-    let center = |row| S::Vector::from_components(row_of(&array, row));
-    let ball = |row| Ball::new(center(row), radius[row]).map_err(|error| of_ball(error, row));
+    let balls = Balls::<S>::new(arrays)?;
+    let count = balls.len();
     let numbers = count.saturating_mul(k);
     let (mut distance, mut primitive) = (room(numbers)?, room(numbers)?);
     let mut point = room(numbers.saturating_mul(3))?;
     let detailed = if with_details { numbers } else { 0 };
     let (mut uv, mut place) = (room(detailed.saturating_mul(2))?, room(detailed)?);
     let mut normal = room(detailed.saturating_mul(3))?;
-    let read = |_: &Threads, rows: Range<usize>| {
-        check_places(&places)?;
-        rows.map(ball).collect::<PyResult<Vec<_>>>()
-    };
     // There are no more results than faces.
     let most = k.min(mesh.triangles().len());
     let few = if k == 1 { FEW } else { FEW_BALLS };
@@ -85,7 +106,7 @@ pub(crate) fn nearest<'py, S: Space>(
         }
         Ok(())
     };
-    in_pieces(py, (count, few), progress, read, answer, keep)?;
+    in_pieces(py, (count, few), progress, |_, rows| balls.chunk(rows), answer, keep)?;
     let shape = [count, k];
     let rows = |numbers: Vec<S::Real>, columns| {
         let shape = [numbers.len() / columns, columns];
@@ -100,7 +121,7 @@ pub(crate) fn nearest<'py, S: Space>(
 const NO_PLACE: u8 = 255;
 
 /// A smaller limit than for rays, because a search for several triangles takes longer.
-const FEW_BALLS: usize = 64;
+pub(crate) const FEW_BALLS: usize = 64;
 
 /// An upper bound of the memory for one of the nearest triangles.
 const NEAR_BYTES: usize = 128;

@@ -1,9 +1,9 @@
 //! Queries of many rays or points over a scene, as arrays.
 
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use bytemuck::Zeroable;
+use numpy::{Element, IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
-use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
-use stackless_bvh::geom::{Mesh, Ray, Vector, check_environment};
+use stackless_bvh::geom::{Ray, check_environment};
 use stackless_bvh::trace::Hit;
 
 use crate::arrays::{Chunks, Rays};
@@ -11,7 +11,7 @@ use crate::batch::in_pieces;
 use crate::errors::failed;
 use crate::memory::{reserve, room, zeroed};
 use crate::space::{Coordinate, Space};
-use crate::threads::{FEW, Threads, of_chunks, of_each};
+use crate::threads::{FEW, Threads, of_each};
 
 /// A function that is called between pieces.
 pub(crate) type Progress<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
@@ -32,38 +32,23 @@ pub(crate) fn closest<'py, S: Space>(
     found.into_arrays(py)
 }
 
-/// Whether each ray hits anything.
-pub(crate) fn any<'py, S: Space>(
+/// An answer for each ray, as an element of an array.
+pub(crate) fn per_ray<'py, S: Space, A, E: Element + Zeroable>(
     py: Python<'py>,
-    bvh: &S,
     rays: &Rays<'py, S>,
     progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<bool>>> {
+    answer: impl Fn(&[Ray<S::Vector>]) -> Vec<A> + Sync,
+    element: impl Fn(A) -> E + Sync,
+) -> PyResult<Bound<'py, PyArray1<E>>> {
     let mut found = zeroed(rays.len())?;
     traced(py, rays, progress, |Chunks { rows, chunks }| {
         checked_each(chunks.iter().zip(found[rows].chunks_mut(FEW)), |(rays, found)| {
-            found.copy_from_slice(&bvh.any(rays));
-        })
-    })?;
-    Ok(found.into_pyarray(py))
-}
-
-/// Number of crossings of each ray with the mesh, by the half-open rule.
-pub(crate) fn crossings<'py, S: Space>(
-    py: Python<'py>,
-    bvh: &S,
-    rays: &Rays<'py, S>,
-    progress: Progress<'_, 'py>,
-) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let mut counts = zeroed(rays.len())?;
-    traced(py, rays, progress, |Chunks { rows, chunks }| {
-        checked_each(chunks.iter().zip(counts[rows].chunks_mut(FEW)), |(rays, counts)| {
-            for (count, found) in counts.iter_mut().zip(bvh.crossings(rays)) {
-                *count = i64::from(found);
+            for (found, answer) in found.iter_mut().zip(answer(rays)) {
+                *found = element(answer);
             }
         })
     })?;
-    Ok(counts.into_pyarray(py))
+    Ok(found.into_pyarray(py))
 }
 
 /// Answers all rays, piece by piece.
@@ -81,82 +66,6 @@ fn traced<'py, S: Space>(
 fn checked_each<I: Send>(items: impl Iterator<Item = I>, work: impl Fn(I) + Sync) -> PyResult<()> {
     let checked = |item| check_environment().map(|()| work(item)).map_err(failed);
     of_each(items, checked).into_iter().collect()
-}
-
-/// The start of each ray's hits, then distances, triangles, weights and places: 0 in the interior of the triangle, 1 on
-/// an edge, 2 at a corner.
-pub(crate) type AllArrays<'py, R> = (Bound<'py, PyArray1<i64>>, HitArrays<'py, R>, Bound<'py, PyArray1<u8>>);
-
-/// All hits of each ray.
-pub(crate) fn all<'py, S: Space>(
-    py: Python<'py>,
-    (mesh, bvh): (&Mesh<S::Vector>, &S),
-    rays: &Rays<'py, S>,
-    progress: Progress<'_, 'py>,
-) -> PyResult<AllArrays<'py, S::Real>> {
-    let (mut offsets, mut found, mut places) = (room(rays.len() + 1)?, Found::with_room(0)?, Vec::new());
-    offsets.push(0);
-    let answer = |rays: Vec<Ray<S::Vector>>| of_chunks(&rays, FEW, |rays| all_of::<S>(mesh, bvh, rays));
-    let keep = |_: &Threads, chunks: Vec<AllOf<S::Real>>| {
-        let count = chunks.iter().map(|chunk| chunk.hits.len()).sum();
-        found.reserve(count)?;
-        reserve(&mut places, count)?;
-        for AllOf { ends, hits, places: new } in chunks {
-            offsets.extend(ends.into_iter().map(|end| (found.t.len() + end) as i64));
-            for hit in &hits {
-                found.push(Some(hit));
-            }
-            places.extend(new);
-        }
-        Ok(())
-    };
-    in_pieces(py, (rays.len(), FEW), progress, |threads, rows| rays.chunk(threads, rows), answer, keep)?;
-    Ok((offsets.into_pyarray(py), found.into_arrays(py)?, places.into_pyarray(py)))
-}
-
-/// All hits of some rays, the end of each ray's hits, and the places of hits.
-struct AllOf<R> {
-    ends: Vec<usize>,
-    hits: Vec<Hit<R>>,
-    places: Vec<u8>,
-}
-
-fn all_of<S: Space>(mesh: &Mesh<S::Vector>, bvh: &S, rays: &[Ray<S::Vector>]) -> PyResult<AllOf<S::Real>> {
-    check_environment().map_err(failed)?;
-    let mut all = AllOf { ends: room(rays.len())?, hits: Vec::new(), places: Vec::new() };
-    for ray in rays {
-        let hits = bvh.all(ray);
-        reserve(&mut all.hits, hits.len())?;
-        reserve(&mut all.places, hits.len())?;
-        all.places.extend(hits.iter().map(|hit| place(mesh, ray, hit)));
-        all.hits.extend(hits);
-        all.ends.push(all.hits.len());
-    }
-    Ok(all)
-}
-
-/// The part of the triangle with a hit, exactly. Weights far from 0 and 1 decide; otherwise rational arithmetic
-/// decides.
-fn place<V: Vector<Real: Coordinate>>(mesh: &Mesh<V>, ray: &Ray<V>, hit: &Hit<V::Real>) -> u8 {
-    let [u, v, near]: [f64; 3] = [hit.u, hit.v, V::Real::NEAR].map(Into::into);
-    if u > near && v > near && 1.0 - u - v > near {
-        return 0;
-    }
-    let corners = mesh.triangle(hit.prim as usize).map(V::components);
-    match meet(corners, ray.origin().components(), ray.direction().components()) {
-        Meeting::Hit(Point { place, .. }) => number_of(place),
-        // Unreachable: the ray hits.
-        Meeting::Miss | Meeting::Coplanar => 0,
-    }
-}
-
-/// The number of a part of a triangle in arrays.
-pub(crate) const fn number_of(place: Place) -> u8 {
-    match place {
-        Place::Interior => 0,
-        Place::Edge => 1,
-        Place::Vertex => 2,
-    }
 }
 
 /// Growing arrays of hits.
@@ -177,10 +86,14 @@ impl<R: Coordinate> Found<R> {
     }
 
     /// Reserves space for `count` more hits.
-    fn reserve(&mut self, count: usize) -> PyResult<()> {
+    pub(crate) fn reserve(&mut self, count: usize) -> PyResult<()> {
         reserve(&mut self.t, count)?;
         reserve(&mut self.primitive, count)?;
         reserve(&mut self.uv, count)
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.t.len()
     }
 
     pub(crate) fn push(&mut self, hit: Option<&Hit<R>>) {

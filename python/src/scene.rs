@@ -1,12 +1,10 @@
 //! A mesh with its hierarchy, as a Python object.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;
-use stackless_bvh::geom::Mesh;
 use stackless_scene::{SavedError, scene_from_bytes};
 
 use crate::arrays::{Rays, mesh};
@@ -17,17 +15,17 @@ use crate::held::Held;
 use crate::memory::{self, room};
 use crate::space::{Double, Single, Space, builder};
 use crate::threads::Threads;
-use crate::{exact, file, inside, near, queries};
+use crate::{all_hits, exact, file, inside, near, queries};
 
 /// A mesh with its hierarchy.
 #[pyclass(module = "stackless_bvh._native")]
 pub(crate) struct Scene {
-    held: Either,
+    pub(crate) held: Either,
 }
 
 /// A mesh in single or in double precision.
 #[derive(Clone)]
-enum Either {
+pub(crate) enum Either {
     Single(Box<Held<Single>>),
     Double(Box<Held<Double>>),
 }
@@ -201,7 +199,8 @@ impl Scene {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            object(py, queries::any::<S>(py, &held.bvh, &Rays::new(rays.each_ref())?, progress.as_ref())?)
+            let rays = Rays::<S>::new(rays.each_ref())?;
+            object(py, queries::per_ray(py, &rays, progress.as_ref(), |rays| held.bvh.any(rays), |hit| hit)?)
         })
     }
 
@@ -213,7 +212,7 @@ impl Scene {
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
             let rays = Rays::new(rays.each_ref())?;
-            object(py, queries::all::<S>(py, (&held.mesh, &held.bvh), &rays, progress.as_ref())?)
+            object(py, all_hits::of_mesh::<S>(py, (&held.mesh, &held.bvh), &rays, progress.as_ref())?)
         })
     }
 
@@ -237,7 +236,8 @@ impl Scene {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         either!(self, held, S => {
-            object(py, queries::crossings::<S>(py, &held.bvh, &Rays::new(rays.each_ref())?, progress.as_ref())?)
+            let rays = Rays::<S>::new(rays.each_ref())?;
+            object(py, queries::per_ray(py, &rays, progress.as_ref(), |rays| held.bvh.crossings(rays), i64::from)?)
         })
     }
 
@@ -301,14 +301,6 @@ impl Scene {
 impl Scene {
     fn triangles(&self) -> &[[u32; 3]] {
         either!(self, held, _S => held.mesh.triangles())
-    }
-
-    /// The mesh, if it is in single precision.
-    pub(crate) fn single_mesh(&self) -> Option<&Arc<Mesh>> {
-        match &self.held {
-            Either::Single(held) => Some(&held.mesh),
-            Either::Double(_) => None,
-        }
     }
 }
 

@@ -11,9 +11,8 @@ use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, Wid
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
 use stackless_bvh::trace::{
-    Assembly, Boundary, Hit, InstanceTracer, Location, MeshQueries, Near, RayQueries, Rule, Solid, Tracer, Winding,
+    Assembly, Boundary, Hit, Location, MeshQueries, Near, Object, RayQueries, Rule, Solid, Tracer, Winding,
 };
-use stackless_bvh::traverse::Method;
 
 use crate::errors::{failed, of_refit, refused};
 use crate::memory;
@@ -56,8 +55,8 @@ pub(crate) trait Space: Sized + Clone + Send + Sync {
     fn build(mesh: &Mesh<Self::Vector>, builder: Builder, tell: &(dyn Fn(usize) + Sync)) -> PyResult<Self>;
     fn refit(&mut self, mesh: &Mesh<Self::Vector>) -> PyResult<()>;
     fn optimize(&mut self) -> PyResult<()>;
-    /// A tracer of exact rays through this mesh only.
-    fn alone(self: &Arc<Self>) -> PyResult<InstanceTracer<Self::Vector>>;
+    /// Adds the mesh to an assembly, which shares the hierarchy.
+    fn add_to(self: &Arc<Self>, assembly: &mut Assembly<Self::Vector>) -> Object;
     /// Memory in bytes.
     fn bytes(&self) -> usize;
 
@@ -125,10 +124,8 @@ where
         self.optimize().map_err(of_wide)
     }
 
-    fn alone(self: &Arc<Self>) -> PyResult<InstanceTracer<V>> {
-        let mut assembly = Assembly::new();
-        let object = assembly.add_wide::<V>(Arc::clone(self));
-        InstanceTracer::new(&assembly, object, Method::default()).map_err(failed)
+    fn add_to(self: &Arc<Self>, assembly: &mut Assembly<V>) -> Object {
+        assembly.add_wide::<V>(Arc::clone(self))
     }
 
     fn bytes(&self) -> usize {

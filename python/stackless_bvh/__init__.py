@@ -16,8 +16,18 @@ the scene nor on the number of threads.
 """
 
 from ._exact import ExactRays, Hits
-from ._instances import InstanceHits, Instances
+from ._instances import AllInstanceHits, InstanceHits, InstanceNear, Instances
 from ._results import AllHits, Near
 from ._scene import Scene
 
-__all__ = ["AllHits", "ExactRays", "Hits", "InstanceHits", "Instances", "Near", "Scene"]
+__all__ = [
+    "AllHits",
+    "AllInstanceHits",
+    "ExactRays",
+    "Hits",
+    "InstanceHits",
+    "InstanceNear",
+    "Instances",
+    "Near",
+    "Scene",
+]

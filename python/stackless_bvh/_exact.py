@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._arrays import per_row, rows
+from ._results import AllHits, all_arrays
 
 Progress = Callable[[int, int], object]
 
@@ -40,6 +41,10 @@ class ExactRays:
     def any(self, progress: Progress | None = None) -> NDArray[np.bool_]:
         """Returns whether each ray hits a face: shape (n,)."""
         return self._native.any(progress)
+
+    def all_hits(self, progress: Progress | None = None) -> AllHits:
+        """Returns all hits of each ray, like `Scene.all_hits`."""
+        return AllHits(*all_arrays(self._native.all(progress)))
 
 
 class Segments:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +31,14 @@ class AllHits:
 
     def __len__(self) -> int:
         return len(self.offsets) - 1
+
+
+def all_arrays(
+    found: tuple[NDArray[np.int64], tuple[NDArray[Any], NDArray[np.int64], NDArray[Any]], NDArray[np.uint8]],
+) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[Any], NDArray[Any], NDArray[np.uint8]]:
+    """Returns the arrays of the extension module in the order of `AllHits`."""
+    offsets, (t, primitives, uv), place = found
+    return offsets, primitives, t, uv, place
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from . import _native
 from ._arrays import check_area, mesh_arrays, per_row, rays, rows
 from ._exact import Hits, Segments
 from ._inside import Inside, Progress
-from ._results import AllHits, Near
+from ._results import AllHits, Near, all_arrays
 
 
 class Scene(Inside, Segments):
@@ -201,8 +201,7 @@ class Scene(Inside, Segments):
         >>> hits.rays, hits.primitives, hits.t, hits.place
         (array([0, 0]), array([0, 3]), array([1. , 1.5]), array([0, 0], dtype=uint8))
         """
-        offsets, (t, primitives, uv), place = self._native.all(self._rays(origins, directions, tmin, tmax), progress)
-        return AllHits(offsets, primitives, t, uv, place)
+        return AllHits(*all_arrays(self._native.all(self._rays(origins, directions, tmin, tmax), progress)))
 
     def count_crossings(
         self,

@@ -61,14 +61,14 @@ def all_hits(vertices, faces, origin, direction, tmin=0.0, tmax=inf, dtype=np.fl
     return sorted(found, key=lambda hit: (hit[2], hit[1]))
 
 
-def crossings(vertices, faces, origin, direction):
+def crossings(triangles, origin, direction):
     """Counts the triangles that an infinite ray crosses, from an origin moved by very little in a general direction.
 
     For coordinates that are small multiples of 1/8 and an origin that is not on the mesh.
     """
     little = Fraction(1, 2**200)
     moved = tuple(x + little**power for power, x in enumerate(vector(origin), 1))
-    found = [meet(corners(vertices, indices), moved, vector(direction)) for indices in faces]
+    found = [meet(triangle, moved, vector(direction)) for triangle in triangles]
     assert all(0 not in (u, v, 1 - u - v, t) for t, u, v in filter(None, found))
     return sum(1 for hit in found if hit is not None and hit[0] > 0)
 

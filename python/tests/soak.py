@@ -40,7 +40,7 @@ def rule(scene):
     return "parity" if scene.is_closed else "winding"
 
 
-# Queries of rays from `o` along `d`, and of the points `o + d`. Instances have the first two queries too.
+# Queries of rays from `o` along `d`, and of the points `o + d`. Instances have the first four queries too.
 QUERIES = {
     "closest": lambda s, o, d: s.closest(o, d),
     "any": lambda s, o, d: s.any(o, d, tmax=0.5),
@@ -112,7 +112,7 @@ class Soak:
         self.answers = {
             (mesh, query, i): answer(query, scene, self.rays[mesh[:2]], rows)
             for mesh, scene in self.scenes.items()
-            for query in list(QUERIES)[: 2 if mesh[0] == "instances" else None]
+            for query in list(QUERIES)[: 4 if mesh[0] == "instances" else None]
             for i, rows in enumerate(ROWS)
         }
         self.cases = {mesh: [case for case in self.answers if case[0] == mesh] for mesh in self.scenes}

@@ -143,7 +143,12 @@ def test_instances():
     check(ValueError, "objects: shape (1, 1), expected (n,)", lambda: Instances([single], [[0]], unit))
     check(ValueError, "objects[0]: 1, expected 0 to 0", lambda: Instances([single], [1], unit))
     check(ValueError, "objects[0]: -1, expected 0 to 0", lambda: Instances([single], [-1], unit))
-    check(ValueError, "scenes[1]: float64, expected float32", lambda: Instances([single, double], [0], unit))
+    message = "scenes[1]: float64, expected float32, the dtype of scenes[0]"
+    check(ValueError, message, lambda: Instances([single, double], [0], unit))
+    message = "scenes[1]: float32, expected float64, the dtype of scenes[0]"
+    check(ValueError, message, lambda: Instances([double, Instances([single], [0], unit)], [0], unit))
+    message = "transforms: dtype float64, expected float32; pass transforms.astype('float32') or make the Scene of float64 vertices"
+    check(TypeError, message, lambda: Instances([single], [0], unit.astype(float)))
     check(TypeError, "scenes[0]: ndarray, expected a Scene or Instances", lambda: Instances([CUBE], [0], unit))
     nested = Instances([single], [0], unit)
     for _ in range(30):

@@ -4,7 +4,7 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import octasphere
+from conftest import octasphere, same
 
 from stackless_bvh import Scene
 
@@ -111,3 +111,21 @@ def test_rays_keep_the_mesh_that_they_were_made_of(sphere, dtype):
     sphere.refit(sphere.vertices * dtype(2))
     assert onward.closest().t[0] == 2
     assert sphere.closest(np.zeros((1, 3), dtype), up).continue_with(-up).closest().t[0] == 4
+
+
+def test_all_hits_of_exact_rays_begin_with_the_closest(sphere, dtype):
+    zero, ways = np.zeros(3, dtype), directions(2000, dtype)
+    ends = np.concatenate([3 * ways[:1500], sphere.vertices[:500]])
+    # Edges of the sphere are in this plane.
+    ends[:500, 2] = 0
+    bounced = sphere.closest(zero, ways).continue_with(np.where(np.arange(2000)[:, None] % 2, -ways, ways))
+    for rays, place in ((sphere.segments(-ends, ends), {0, 1, 2}), (bounced, {0})):
+        every, closest = rays.all_hits(), rays.closest()
+        counts = np.diff(every.offsets)
+        assert np.array_equal(counts > 0, closest.hit) and set(every.place) == place
+        firsts = every.offsets[:-1][closest.hit]
+        for one, name in ((closest.t, "t"), (closest.primitive, "primitives"), (closest.uv, "uv")):
+            assert np.array_equal(one[closest.hit], getattr(every, name)[firsts])
+    # The directions of these segments are floats, so rays along them have the same hits.
+    found, expected = sphere.segments(zero, ends).all_hits(), sphere.all_hits(zero, ends, tmax=1)
+    assert len(found.t) > 2000 and same(found, expected)

@@ -101,7 +101,7 @@ def test_crossings_and_inside_are_those_of_a_ray_moved_by_very_little(mesh, dtyp
         if any(oracle.nearest_square(triangle, oracle.vector(origin))[0] == 0 for triangle in triangles):
             assert inside[i] and not strictly[i]
         else:
-            truth = oracle.crossings(vertices, faces, origin, direction)
+            truth = oracle.crossings(triangles, origin, direction)
             assert counts[i] == truth
             assert inside[i] == strictly[i] == (truth % 2 == 1)
 

@@ -204,6 +204,13 @@ pub(super) fn images<'a, V: Vector>(
     (corners, unit)
 }
 
+/// Returns a point as integers, in this form.
+pub(super) fn whole_point<V: Vector>(point: V) -> ([IBig; 3], usize) {
+    let point = point.components();
+    let unit = unit_of(&point);
+    (point.map(|x| multiple(x, unit)), unit)
+}
+
 /// Returns the images of corners, by twice the digits of a double. `[INST-5]`
 pub(super) fn fine_images<'a, V: Vector>(
     triangle: [V; 3],

@@ -11,7 +11,7 @@ use glam::Vec3;
 
 use super::affine::{fine_images, images};
 use super::kernel::{Certainty, EnclosedTest, FineDeterminants};
-use super::truth::{Meeting, Point, RBig, Relaxed, meet_integers};
+use super::truth::{Meeting, Point, RBig, Relaxed, crosses_integers, meet_integers};
 use super::{
     AffineMap, EnclosedRay, Interval, Ray, RayError, Real, Region, Triangle, Vector, check_environment, meet_image,
 };
@@ -297,10 +297,21 @@ impl<V: Vector> ExactRay<V> {
         if let Some([origin, direction]) = self.floats() {
             return meet_image(triangle.0, maps, origin, direction);
         }
+        meet_integers(self.integers(triangle, maps))
+    }
+
+    /// Returns whether the line passes through the interior of the image of a triangle after its origin is moved as by
+    /// PARITY-1, in the outermost space. `[INST-8]`
+    pub(crate) fn crosses(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> bool {
+        crosses_integers(&self.integers(triangle, maps))
+    }
+
+    /// Returns the corners of the image of a triangle, origin and direction, all times one number.
+    fn integers(&self, triangle: &Triangle<V>, maps: &[AffineMap<V::Real>]) -> [[IBig; 3]; 5] {
         let (([o, d], over), (corners, unit)) = (self.whole_line(), images(triangle.0, maps));
         let [o, d] = [o, d].map(|v| v.map(|x| x << unit));
         let [v0, v1, v2] = corners.map(|corner| corner.map(|x| x * &over));
-        meet_integers([v0, v1, v2, o, d])
+        [v0, v1, v2, o, d]
     }
 
     /// Returns the ray in the space of an object under maps, from its entry into a region there, in rational

@@ -247,7 +247,7 @@ impl<V: Vector> Measure<V> {
 
 /// Returns a lower bound of the length of the vector whose components are the maxima of these two and 0.
 #[inline]
-fn length_of(below: DVec3, above: DVec3) -> f64 {
+pub(super) fn length_of(below: DVec3, above: DVec3) -> f64 {
     let beside = below.max(above).max(DVec3::ZERO);
     let square = beside.length_squared();
     let length = if SQUARES.contains(&square) { square.sqrt() } else { rare_length(beside) };
@@ -274,7 +274,7 @@ fn rounded<E: Enclosure, R: Real>([x, y, z]: [E; 3]) -> Option<[R; 3]> {
 
 /// Returns bounds of the distance of the triangle from zero.
 #[inline]
-fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
+pub(super) fn bounds(corners: &[DVec3; 3]) -> [f64; 2] {
     let q = nearest(corners);
     let [x, y, z] = corners.map(|corner| corner.abs().max_element());
     let greatest = x.max(y).max(z);

@@ -13,6 +13,7 @@
 mod nearest;
 
 pub use dashu_ratio::{RBig, Relaxed};
+pub(super) use nearest::{nearest_of_integers, round_root_of};
 pub use nearest::{nearest_point, nearest_weights, round_root, square_distance, unit_normal};
 
 use dashu_int::{IBig, Sign};
@@ -133,6 +134,20 @@ pub(super) fn meet_integers([v0, v1, v2, o, d]: [Vector; 5]) -> Meeting {
     };
     let over_det = |x| RBig::from_parts_signed(x, det.clone());
     Meeting::Hit(Point { place, t: over_det(t), u: over_det(u), v: over_det(v) })
+}
+
+/// Returns whether the line passes through the interior of a triangle after its origin is moved by (ε, ε², ε³), for an
+/// ε that is positive and smaller than any number. Corners, origin and direction are all multiplied by one positive
+/// number. `[PARITY-1]`
+pub(super) fn crosses_integers([v0, v1, v2, o, d]: &[Vector; 5]) -> bool {
+    // The sign of the edge function, or if it is 0 that of its first change. `None` for an edge along the line.
+    let side = |from: &Vector, to: &Vector| {
+        let edge = dot(d, &cross(&minus(to, o), &minus(from, o)));
+        [edge].into_iter().chain(cross(&minus(to, from), d)).find(|x| !x.is_zero()).map(|x| x.sign())
+    };
+    let first = side(v0, v1);
+    // Without a determinant, the edge functions add up to 0, so their signs differ.
+    first.is_some() && side(v1, v2) == first && side(v2, v0) == first
 }
 
 /// Intersects the line `origin + t direction` from a rational point and a triangle. Returns the distance, in units of

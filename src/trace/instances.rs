@@ -14,10 +14,14 @@
 //! takes about a thousand times as long. `[INST-5]`
 
 mod assembly;
+mod crossings;
+mod nearest;
 mod walk;
+mod wide_nearest;
 mod wide_walk;
 
 pub use assembly::{Assembly, AssemblyError, Instance, Object};
+pub use nearest::InstanceNear;
 
 use std::fmt;
 use std::sync::Arc;

@@ -27,6 +27,7 @@ use shared::{LaneRay, Query};
 
 pub(super) use interleaved::with_memory;
 pub(super) use search::LaneRanks;
+pub(super) use shared::{Query as SharedQuery, run as run_shared};
 
 /// Answers queries over a hierarchy of eight children, exactly. This is the default tracer.
 ///

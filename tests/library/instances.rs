@@ -1,7 +1,8 @@
 //! Comparison of instances with an oracle that transforms every triangle in rational arithmetic. `[INST-1]` to
-//! `[INST-6]`
+//! `[INST-6]`, `[INST-8]`
 
 mod afar;
+mod nearest;
 pub(crate) mod scenes;
 mod thresholds;
 
@@ -149,9 +150,9 @@ fn answers_are_those_of_rational_arithmetic_in_double() {
     answers_are_those_of_rational_arithmetic::<DVec3>();
 }
 
-/// More rays, with one traversal, and with wide meshes.
+/// More rays, with one traversal, and with wide meshes. Crossings are compared with those of a moved ray. `[INST-8]`
 fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
-    let (mut counts, mut asked) = ([0; 4], 0);
+    let (mut counts, mut asked, mut fewer) = ([0; 4], 0, 0);
     for (seed, scene) in scenes::all::<V>().iter().enumerate() {
         let (flat, mut rng) = (InstanceOracle::new(&scene.shapes), Rng::new(1000 + seed as u64));
         let tracer = |built: Hierarchies<V>| {
@@ -163,15 +164,18 @@ fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
         let rays = rays(&flat, &mut rng, 300);
         asked += rays.len();
         for ray in &rays {
-            let hits = flat.all(ray);
+            let (hits, crossed) = (flat.all(ray), flat.crossings(ray));
+            fewer += usize::from((crossed as usize) < hits.len());
             for tracer in [&tracer, &wide] {
                 check_answer(tracer, &hits, ray).unwrap_or_else(|fault| panic!("{}, {ray:?}: {fault}", scene.name));
+                assert_eq!(tracer.crossings(ray), crossed, "{}, {ray:?}", scene.name);
             }
         }
         for tracer in [&tracer, &wide] {
             assert_eq!(tracer.closest_parallel(&rays), Ok(rays.iter().map(|ray| tracer.closest(ray)).collect()));
             assert_eq!(tracer.any_parallel(&rays), Ok(tracer.any_each(&rays)));
             assert_eq!(tracer.all_parallel(&rays), Ok(tracer.all_each(&rays)));
+            assert_eq!(tracer.crossings_parallel(&rays), Ok(rays.iter().map(|ray| tracer.crossings(ray)).collect()));
         }
         let found = tracer.count_closest(&rays);
         for (sum, count) in counts.iter_mut().zip([found.instances, found.triangles, found.open, found.rational]) {
@@ -179,6 +183,7 @@ fn many_rays_are_answered_by_rational_arithmetic<V: Kind>() {
         }
     }
     let [instances, triangles, open, rational] = counts;
+    assert!(fewer > asked / 20, "rays that meet edges: {fewer} of {asked}");
     assert!(instances > asked as u64 && open > triangles / 100 && rational > 0, "the scenes are hard: {counts:?}");
 }
 

@@ -1,18 +1,24 @@
 //! The oracle of instances: transforms every triangle of every instance and tests all of them in rational arithmetic.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
+use dashu_int::ops::BitTest as _;
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh, WideError};
 use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::truth::{Number, RBig};
-use stackless_bvh::geom::{AffineMap, Mesh, Ray, Real, Triangle, Vector};
-use stackless_bvh::trace::{Assembly, AssemblyError, Instance, InstanceHit, InstanceTracer, Object, RayQueries};
+use stackless_bvh::geom::truth::{Number, RBig, Relaxed, round_root};
+use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray, Real, Triangle, Vector};
+use stackless_bvh::trace::{
+    Assembly, AssemblyError, Instance, InstanceHit, InstanceNear, InstanceTracer, Object, RayQueries,
+};
 
-type IntegerPoint = [IBig; 3];
+use crate::foot::Foot;
+
+pub(crate) type IntegerPoint = [IBig; 3];
 
 /// A placed shape, in the form that the oracle uses.
 #[derive(Clone, Debug, PartialEq)]
@@ -180,24 +186,104 @@ impl<V: Vector> InstanceOracle<V> {
 
     /// Returns all hits, ordered by exact distance, path and triangle.
     pub fn all(&self, ray: &Ray<V>) -> Vec<InstanceHit<V::Real>> {
-        let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
-        let log = self.log.max(log_of(line.as_flattened().iter()));
-        let [o, d] = line.map(|v| v.map(|x| scaled(&x, log)));
-        let ([tmin, tmax], finer) = ([ray.tmin(), ray.tmax()], log - self.log);
-        let hits = self.triangles.iter().filter_map(|placed| {
-            let corners = placed.exact.each_ref().map(|corner| corner.each_ref().map(|x| x << finer));
-            let [t, u, v] = meet(&corners, &o, &d)?;
-            let ends_before = tmax != V::Real::INFINITY && t > exact(tmax);
-            let is_within = !ends_before && t >= exact(tmin);
-            is_within.then_some((t, &placed.path, placed.prim, [u, v]))
-        });
-        let mut hits: Vec<_> = hits.collect();
+        let mut hits: Vec<_> =
+            self.met(ray).map(|([t, u, v], placed, _)| (t, &placed.path, placed.prim, [u, v])).collect();
         hits.sort();
         let rounded = |(t, path, prim, [u, v]): (RBig, &Vec<u32>, u32, [RBig; 2])| {
             let [t, u, v] = [&t, &u, &v].map(V::Real::nearest);
             InstanceHit { path: path.clone(), prim, t, u, v }
         };
         hits.into_iter().map(rounded).collect()
+    }
+
+    /// Counts the hits that remain if the origin is moved by (ε, ε², ε³), for an ε that is small enough. `[INST-8]`
+    pub fn crossings(&self, ray: &Ray<V>) -> u32 {
+        let is_crossing = |([_, u, v], _, line): &Met<'_, V>| {
+            let Line { corners, o, d } = line;
+            // The edge function is an integer, and so are the factors of ε, ε² and ε³ in its change. With this many bits of
+            // ε, the first of them that is not 0 outweighs the following ones.
+            let bits = 2 * line.bits() + 8;
+            let finer = |point: &IntegerPoint| point.each_ref().map(|x| x << (3 * bits));
+            let [x, y, z] = finer(o);
+            let moved = [x + (IBig::ONE << (2 * bits)), y + (IBig::ONE << bits), z + IBig::ONE];
+            // Inside, there is room to move.
+            let is_inside = *u > RBig::ZERO && *v > RBig::ZERO && u + v < RBig::ONE;
+            is_inside || tops(&corners.each_ref().map(finer), &moved, d).is_some()
+        };
+        self.met(ray).filter(is_crossing).count() as u32
+    }
+
+    /// Returns the nearest point of all triangles. `[INST-9]`
+    pub fn nearest(&self, ball: &Ball<V>) -> Option<InstanceNear<V>> {
+        let center = ball.center().components().map(exact);
+        let log = self.log.max(log_of(center.iter()));
+        let (center, scale) = (center.map(|x| scaled(&x, log)), Relaxed::from(IBig::ONE << log));
+        let measured: Vec<_> = self
+            .triangles
+            .iter()
+            .map(|placed| {
+                let corners = placed.exact.each_ref().map(|corner| corner.each_ref().map(|x| x << (log - self.log)));
+                let foot = Foot::of(&corners, &center);
+                (&foot.square / (&scale * &scale), foot, corners, placed)
+            })
+            .collect();
+        let least = measured.iter().map(|(square, ..)| square).min()?;
+        let distance: V::Real = round_root(&least.clone().canonicalize());
+        // All squares up to that of the middle between two floats have this root, and that of the middle perhaps.
+        let [below, above] = [distance, distance.next_up()].map(|x| Relaxed::try_from(x.into()).ok());
+        let middle = below.zip(above).map(|(below, above)| (below + above) / Relaxed::from(2));
+        let has_root = |square: &Relaxed| {
+            let by_middle = middle.as_ref().map(|middle| square.cmp(&(middle * middle)));
+            by_middle
+                .filter(|order| order.is_ne())
+                .map_or_else(|| round_root::<V::Real>(&square.clone().canonicalize()) == distance, Ordering::is_lt)
+        };
+        let radius: f64 = ball.radius().into();
+        let most = Relaxed::try_from(radius).ok().map(|radius| &radius * &radius);
+        let is_in = |square: &Relaxed| most.as_ref().is_none_or(|most| square <= most);
+        let nearest = measured.iter().filter(|(square, ..)| has_root(square) && is_in(square));
+        let (_, foot, corners, placed) = nearest.min_by_key(|(.., placed)| (&placed.path, placed.prim))?;
+        let coordinate = |k: usize| {
+            let [a, b, c] = corners;
+            let [v, w] = &foot.weights;
+            let x = &a[k] * &foot.whole + v * (&b[k] - &a[k]) + w * (&c[k] - &a[k]);
+            let x = Relaxed::from_parts_signed(x, foot.whole.clone()) / &scale;
+            V::Real::rounded(V::Real::nearest_to(&x).into() + 0.0)
+        };
+        let point = V::from_components([0, 1, 2].map(coordinate));
+        Some(InstanceNear { path: placed.path.clone(), prim: placed.prim, distance, point })
+    }
+
+    /// Returns distance and weights of each hit, with its triangle, in any order.
+    fn met(&self, ray: &Ray<V>) -> impl Iterator<Item = Met<'_, V>> {
+        let line = [ray.origin(), ray.direction()].map(|v| v.components().map(exact));
+        let log = self.log.max(log_of(line.as_flattened().iter()));
+        let [o, d] = line.map(|v| v.map(|x| scaled(&x, log)));
+        let ([tmin, tmax], finer) = ([ray.tmin(), ray.tmax()], log - self.log);
+        self.triangles.iter().filter_map(move |placed| {
+            let corners = placed.exact.each_ref().map(|corner| corner.each_ref().map(|x| x << finer));
+            let found = meet(&corners, &o, &d)?;
+            let ends_before = tmax != V::Real::INFINITY && found[0] > exact(tmax);
+            let is_within = !ends_before && found[0] >= exact(tmin);
+            is_within.then(|| (found, placed, Line { corners, o: o.clone(), d: d.clone() }))
+        })
+    }
+}
+
+/// Distance and weights of a hit, the triangle, and the integers of the triangle and of the line.
+type Met<'a, V> = ([RBig; 3], &'a Placed<V>, Line);
+
+struct Line {
+    corners: [IntegerPoint; 3],
+    o: IntegerPoint,
+    d: IntegerPoint,
+}
+
+impl Line {
+    /// Number of bits of the greatest integer.
+    fn bits(&self) -> usize {
+        let all = self.corners.iter().chain([&self.o, &self.d]).flatten();
+        all.map(IBig::bit_len).max().unwrap_or(0)
     }
 }
 
@@ -236,7 +322,13 @@ fn collect<V: Vector>(
 
 /// Returns the distance and the weights where a line hits a triangle, by Cramer's rule for o + t d = a + u (b - a) + v
 /// (c - a).
-pub(crate) fn meet([a, b, c]: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerPoint) -> Option<[RBig; 3]> {
+pub(crate) fn meet(corners: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerPoint) -> Option<[RBig; 3]> {
+    let [t, u, v, whole] = tops(corners, o, d)?;
+    Some([t, u, v].map(|top| RBig::from_parts_signed(top, whole.clone())))
+}
+
+/// Returns the numerators of [`meet`], and their positive denominator.
+fn tops([a, b, c]: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerPoint) -> Option<[IBig; 4]> {
     let minus = |x: &IntegerPoint, y: &IntegerPoint| -> IntegerPoint { std::array::from_fn(|k| &x[k] - &y[k]) };
     let (e, f, s) = (minus(b, a), minus(c, a), minus(o, a));
     let back: IntegerPoint = d.clone().map(|x| -x);
@@ -244,12 +336,13 @@ pub(crate) fn meet([a, b, c]: &[IntegerPoint; 3], o: &IntegerPoint, d: &IntegerP
     if whole.is_zero() {
         return None;
     }
-    let over = |top: IBig| RBig::from_parts_signed(top, whole.clone());
-    let (u, v) = (over(determinant(&s, &f, &back)), over(determinant(&e, &s, &back)));
-    if u < RBig::ZERO || v < RBig::ZERO || &u + &v > RBig::ONE {
+    let sign = IBig::from(if whole < IBig::ZERO { -1 } else { 1 });
+    let [u, v] = [determinant(&s, &f, &back), determinant(&e, &s, &back)].map(|top| top * &sign);
+    let whole = whole * &sign;
+    if u < IBig::ZERO || v < IBig::ZERO || &u + &v > whole {
         return None;
     }
-    Some([over(determinant(&e, &f, &s)), u, v])
+    Some([determinant(&e, &f, &s) * sign, u, v, whole])
 }
 
 /// Returns the determinant of the matrix with these columns.

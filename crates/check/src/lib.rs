@@ -13,6 +13,7 @@ mod all;
 mod battery;
 mod boxes;
 mod case;
+mod foot;
 mod instance_oracle;
 mod kernels;
 mod paths;

@@ -89,6 +89,11 @@ pub fn unit_normal<S: Number>(triangle: [[S; 3]; 3]) -> Option<[S; 3]> {
 /// assert_eq!(round_root::<f64>(&RBig::from(2u8)), 2f64.sqrt());
 /// ```
 pub fn round_root<S: Number>(x: &RBig) -> S {
+    round_root_of(x.as_relaxed())
+}
+
+/// Computes [`round_root`] for a fraction that may not be in lowest terms.
+pub(in crate::geom) fn round_root_of<S: Number>(x: &Relaxed) -> S {
     let square = x.numerator().unsigned_abs();
     // Bits after the binary point, so that the root has more bits than a double and a midpoint of two doubles.
     let places = (2 * ROOT_BITS + x.denominator().bit_len()).saturating_sub(square.bit_len()).div_ceil(2);
@@ -116,14 +121,34 @@ struct Nearest {
 fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest, [Vector; 3], IBig)> {
     let scale = scale([a, b, c, point])?;
     let [a, b, c, p] = integers([a, b, c, point])?;
-    let corners = [&a, &b, &c];
-    let normal = cross(&minus(&b, &a), &minus(&c, &a));
+    let corners = [a, b, c];
+    Some((among(&corners, &p)?, corners, scale))
+}
+
+/// Returns the square of the distance and the nearest point of a triangle, for integers over `scale`. The fractions may
+/// not be in lowest terms: reduction costs most of the time.
+pub(in crate::geom) fn nearest_of_integers(
+    corners: &[Vector; 3],
+    point: &Vector,
+    scale: &IBig,
+) -> (Relaxed, [Relaxed; 3]) {
+    // There is always one.
+    let Some(Nearest { weights, denominator, square }) = among(corners, point) else { return Default::default() };
+    let denominator = denominator * scale;
+    let numerator = |k: usize| (0..3).map(|i| &weights[i] * &corners[i][k]).sum();
+    let point = [0, 1, 2].map(|k| Relaxed::from_parts_signed(numerator(k), denominator.clone()));
+    (square / Relaxed::from(scale * scale), point)
+}
+
+/// Finds the nearest point of a triangle.
+fn among(corners @ [a, b, c]: &[Vector; 3], p: &Vector) -> Option<Nearest> {
+    let normal = cross(&minus(b, a), &minus(c, a));
     let area = dot(&normal, &normal);
     let mut of_edges: Option<Nearest> = None;
     // Weights of the point on the plane, and of those on edges.
     let mut inside = [IBig::ZERO; 3];
     for i in 0..3 {
-        let (edge, to_point) = (minus(corners[(i + 1) % 3], corners[i]), minus(&p, corners[i]));
+        let (edge, to_point) = (minus(&corners[(i + 1) % 3], &corners[i]), minus(p, &corners[i]));
         let (along, length) = (dot(&edge, &to_point), dot(&edge, &edge));
         inside[(i + 2) % 3] = dot(&cross(&normal, &edge), &to_point);
         let on_edge = |start: IBig, end: IBig| {
@@ -144,11 +169,11 @@ fn nearest<S: Number>([a, b, c]: [[S; 3]; 3], point: [S; 3]) -> Option<(Nearest,
         of_edges = of_edges.into_iter().chain([near]).min_by(|a, b| a.square.cmp(&b.square));
     }
     if inside.iter().any(|weight| weight.sign() == Sign::Negative || weight.is_zero()) {
-        return of_edges.map(|near| (near, [a, b, c], scale));
+        return of_edges;
     }
-    let height = dot(&normal, &minus(&p, &a));
+    let height = dot(&normal, &minus(p, a));
     let square = Relaxed::from_parts_signed(&height * &height, area.clone());
-    Some((Nearest { weights: inside, denominator: area, square }, [a, b, c], scale))
+    Some(Nearest { weights: inside, denominator: area, square })
 }
 
 #[cfg(test)]

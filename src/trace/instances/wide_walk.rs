@@ -4,13 +4,15 @@ use std::fmt::Debug;
 
 use fearless_simd::{Simd, f32x8};
 
+use super::nearest::NearTest;
 use super::walk::{Search, Triangles};
+use super::wide_nearest::WideNear;
 use crate::bvh::{LeafTriangle, WideBvh};
 use crate::geom::lanes::{Block, EnclosedBoxes, LaneSet, Precision, TriangleRay, filled, with_baseline};
 use crate::geom::slabs::EnclosedSlabs;
 use crate::geom::{EnclosedRay, Real as _, Region, Triangle, Vector};
 use crate::order::Flow;
-use crate::trace::tracer::{LaneRanks, with_memory};
+use crate::trace::tracer::{LaneRanks, run_shared, with_memory};
 use crate::tree::Node;
 use crate::wide::{self, Method, Supply, Tables, Topology, Unsupported, Wanted};
 
@@ -34,6 +36,9 @@ pub(super) trait WideObject<V: Vector>: Debug + Send + Sync {
 
     /// Traverses it with a ray.
     fn run(&self, level: &WideLevel, ray: &EnclosedRay, triangles: Triangles<'_, V>, search: &mut Search<'_, V>);
+
+    /// Traverses it with a point.
+    fn run_near(&self, level: &WideLevel, near: &mut dyn NearTest<Triangle<V>>);
 }
 
 impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
@@ -62,6 +67,11 @@ impl<V: Vector + From<W>, W: Precision> WideObject<V> for WideBvh<8, W> {
                 level.walk(WideWalk::<_, _, _, false> { simd, bvh, boxes, filter, triangles, search });
             }
         });
+    }
+
+    fn run_near(&self, level: &WideLevel, near: &mut dyn NearTest<Triangle<V>>) {
+        let ran = run_shared(level.method, self, &level.tables, &mut WideNear { bvh: self, near });
+        debug_assert_eq!(ran, Ok(()));
     }
 }
 

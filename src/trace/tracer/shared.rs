@@ -21,7 +21,7 @@ use crate::tree::Node;
 use crate::wide::{Method, Ranks, Search, Supply, Tables, Unsupported, Wanted};
 
 /// A query for any traversal. As `&mut dyn Query` it is one type for all kinds.
-pub(super) trait Query {
+pub(in crate::trace) trait Query {
     /// Returns the children of an inner node that it wants, with the distances of their boxes.
     fn ask(&mut self, node: Node) -> Wanted<[u32; 8]>;
 
@@ -33,7 +33,7 @@ pub(super) trait Query {
 }
 
 /// Runs a query to its end.
-pub(super) fn run<V: Precision>(
+pub(in crate::trace) fn run<V: Precision>(
     method: Method,
     tree: &WideBvh<8, V>,
     tables: &Tables,
