@@ -104,7 +104,7 @@ def test_points_and_what_else_is_asked():
     check(TypeError, "k: 2.5, expected an integer", lambda: single.nearest([0, 0, 0], k=2.5))
     check(ValueError, "points[0]: [inf, 0, 0], expected finite numbers", lambda: double.nearest([np.inf, 0, 0]))
     check(ValueError, "radius[0]: NaN, expected >= 0", lambda: double.nearest([0, 0, 0], np.nan))
-    message = "build: 'slow', expected one of fast, standard, best, sbvh, bounded, median"
+    message = "build: 'slow', expected one of standard, best, sbvh, bounded, median"
     check(ValueError, message, lambda: Scene(CUBE, CUBE_FACES, "slow"))
     message = "the mesh is not closed: the edge (0, 1) of faces[0] is in 1 face, expected an even number (4 such edges); rule='winding' fits it"
     opened = Scene(CUBE, np.delete(CUBE_FACES, [4, 5], axis=0))
