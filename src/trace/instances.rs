@@ -14,10 +14,12 @@
 //! takes about a thousand times as long. `[INST-5]`
 
 mod assembly;
+mod filter;
 mod walk;
 mod wide_walk;
 
 pub use assembly::{Assembly, AssemblyError, Instance, Object};
+pub use filter::{FilteredInstances, InstanceFilter};
 
 use std::fmt;
 use std::sync::Arc;
@@ -198,10 +200,7 @@ impl<V: Vector> InstanceTracer<V> {
     pub fn closest_and_point(&self, ray: impl Into<ExactRay<V>>) -> Option<(InstanceHit<V::Real>, ExactPoint<V>)> {
         let ray = ray.into();
         let found = self.search(&ray, Wanted::Closest).found.pop()?;
-        let Found { triangle, test, .. } = found;
-        let hit = self.hit(&ray, found)?;
-        let point = ExactPoint::of(ray, &triangle, self.maps(&hit.path), test.span(&triangle));
-        Some((hit, point))
+        self.hit_and_point(ray, found)
     }
 
     fn one(&self, ray: &ExactRay<V>, wanted: Wanted) -> Option<InstanceHit<V::Real>> {

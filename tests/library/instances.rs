@@ -2,6 +2,7 @@
 //! `[INST-6]`
 
 mod afar;
+mod filters;
 pub(crate) mod scenes;
 mod thresholds;
 
