@@ -87,9 +87,9 @@ impl<R: Copy> OneFilter<Ray<R>, u32, Hit<R>> {
 }
 
 impl<Y, S, H> OneFilter<Y, S, H> {
-    /// Whether the mask of a face and that of the filter have a bit in common.
+    /// Whether the mask of a face and that of the filter have a bit in common. Without masks all bits are set.
     pub(crate) fn sees(&self, masks: &[u32], face: u32) -> bool {
-        masks.get(face as usize).is_none_or(|mask| mask & self.mask != 0)
+        masks.get(face as usize).unwrap_or(&u32::MAX) & self.mask != 0
     }
 
     /// Runs a query of instances with the filter, for faces that `is_seen` accepts. `hit` converts a hit.

@@ -171,6 +171,9 @@ impl<V: Precision> Instances<V> {
 
     /// The masks of the scene at the end of a path.
     fn masks_at(&self, path: &[u32]) -> &[u32] {
+        if self.masks.is_empty() {
+            return &[];
+        }
         self.tracer.object(path).and_then(|object| self.masks.get(&object)).map_or(&[], |masks| masks)
     }
 }
@@ -194,7 +197,7 @@ impl<V: Precision> Exact<V> for Instances<V> {
 
     fn sees<Y>(&self, filter: &OneFilter<Y, Self::Skip, Self::Hit>, path: &[u32], face: u32) -> bool {
         let is_skipped = filter.skip.is_some_and(|skip| skip.face == face && is_path(&skip, path));
-        !is_skipped && (self.masks.is_empty() || filter.sees(self.masks_at(path), face))
+        !is_skipped && filter.sees(self.masks_at(path), face)
     }
 }
 

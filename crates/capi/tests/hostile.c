@@ -110,6 +110,12 @@ static void filters(scene_t *scene)
     INVALID("face_count: 11, expected 12", CALL(scene_set_masks)(scene, masks, 4, 11));
     INVALID("scene: null", CALL(scene_set_masks)(NULL, masks, 4, 12));
     INVALID("face_count", CALL(scene_set_masks)(scene, masks, 4, SIZE_MAX));
+    /* In a new scene all bits are set: any bit of a filter is in common, and no bit is not. */
+    const filter_t no_bit = {.mask = 0};
+    OK(CALL(closest1)(scene, &RAY, &no_bit, hits));
+    CHECK(hits[0].face == STACKLESS_NO_FACE);
+    OK(CALL(closest1)(scene, &RAY, &filter, hits));
+    CHECK(hits[0].face != STACKLESS_NO_FACE);
     /* A mask of 0 accepts no face; without a filter all faces are accepted. */
     OK(CALL(scene_set_masks)(scene, masks, 4, 12));
     const filter_t all = {.mask = UINT32_MAX};
