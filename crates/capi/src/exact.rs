@@ -31,6 +31,9 @@ pub(crate) struct Way<'a, V: Precision, S, H> {
     pub(crate) element: Element,
 }
 
+/// Hits, with the points that were requested.
+pub(crate) type Answers<V, H> = Vec<(H, Option<Point<V>>)>;
+
 /// A scene or instances, for exact rays.
 pub(crate) trait Exact<V: Precision>: Sync {
     /// A face that a filter skips.
@@ -55,7 +58,7 @@ pub(crate) trait Exact<V: Precision>: Sync {
         ways: &[Way<'_, V, Self::Skip, Self::Hit>],
         with_points: bool,
         flags: u32,
-    ) -> Result<Vec<(Self::Hit, Option<Point<V>>)>, Fault> {
+    ) -> Result<Answers<V, Self::Hit>, Fault> {
         let tracer = self.tracer()?;
         each(ways, self.pool(), flags, |way| {
             let ray = way.ray()?;

@@ -224,9 +224,10 @@ fn hit<V: Precision>(found: Option<&Found<Real<V>>>) -> InstanceHit<Real<V>> {
     let none = [u32::MAX; STACKLESS_MAX_LEVELS];
     let miss = InstanceHit { t: V::Real::INFINITY, u: nan, v: nan, face: STACKLESS_NO_FACE, levels: 0, path: none };
     found.map_or(miss, |&Found { ref path, prim, t, u, v }| {
-        let mut hit = InstanceHit { t, u, v, face: prim, levels: path.len() as u32, path: none };
+        let mut hit = InstanceHit { t, u, v, face: prim, levels: 0, path: none };
         for (index, &instance) in hit.path.iter_mut().zip(path) {
             *index = instance;
+            hit.levels += 1;
         }
         hit
     })

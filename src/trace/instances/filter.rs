@@ -15,9 +15,13 @@ use crate::trace::RayQueries;
 /// Both functions must be pure. They are called in no particular order, perhaps several times for one triangle, and by
 /// several threads in queries on all threads.
 pub struct InstanceFilter<'f, R = f32> {
-    triangles: Option<&'f (dyn Fn(&[u32], u32) -> bool + Sync)>,
-    hits: Option<&'f (dyn Fn(&InstanceHit<R>) -> bool + Sync)>,
+    triangles: Option<TriangleTest<'f>>,
+    hits: Option<HitTest<'f, R>>,
 }
+
+type TriangleTest<'f> = &'f (dyn Fn(&[u32], u32) -> bool + Sync);
+
+type HitTest<'f, R> = &'f (dyn Fn(&InstanceHit<R>) -> bool + Sync);
 
 impl<'f, R> InstanceFilter<'f, R> {
     /// Accepts all hits.
@@ -26,13 +30,13 @@ impl<'f, R> InstanceFilter<'f, R> {
     /// Accepts hits of some triangles only, by path and index. Other triangles are not tested: for masks, and for the
     /// triangle that a ray leaves.
     #[must_use]
-    pub const fn triangles(self, accepts: &'f (dyn Fn(&[u32], u32) -> bool + Sync)) -> Self {
+    pub const fn triangles(self, accepts: TriangleTest<'f>) -> Self {
         Self { triangles: Some(accepts), ..self }
     }
 
     /// Accepts some hits only: for transparency, and for the sides of triangles.
     #[must_use]
-    pub const fn hits(self, accepts: &'f (dyn Fn(&InstanceHit<R>) -> bool + Sync)) -> Self {
+    pub const fn hits(self, accepts: HitTest<'f, R>) -> Self {
         Self { hits: Some(accepts), ..self }
     }
 

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use crate::border::answer;
 use crate::error::{Error, Fault};
-use crate::exact::{Exact as _, Point, Way};
+use crate::exact::{Answers, Exact as _, Point, Way};
 use crate::filters::Filters;
 use crate::instances::Instances;
 use crate::memory::{In, Out, exclusive, room, shared};
@@ -308,11 +308,7 @@ fn clear(points: &mut Option<Out<'_, *mut Point<Vec3>>>) {
     }
 }
 
-fn write<H: Copy>(
-    answers: Vec<(H, Option<Point<Vec3>>)>,
-    hits: &mut Out<'_, H>,
-    points: &mut Option<Out<'_, *mut Point<Vec3>>>,
-) {
+fn write<H: Copy>(answers: Answers<Vec3, H>, hits: &mut Out<'_, H>, points: &mut Option<Out<'_, *mut Point<Vec3>>>) {
     for (index, (hit, point)) in answers.into_iter().enumerate() {
         hits.set(index, hit);
         if let (Some(points), Some(point)) = (&mut *points, point) {

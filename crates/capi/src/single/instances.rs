@@ -198,9 +198,10 @@ pub unsafe extern "C" fn stackless_instances_any_n_f(
 /// # Safety
 /// See [`shared`], for both pointers.
 unsafe fn source<'a>(Object { scene, instances }: Object<Vec3>) -> Result<Source<'a, Vec3>, Fault> {
-    // SAFETY: the caller guarantees the requirements.
     match (scene.is_null(), instances.is_null()) {
+        // SAFETY: the caller guarantees the requirements.
         (false, true) => unsafe { shared(scene, "scene") }.map(Source::Scene),
+        // SAFETY: see above.
         (true, false) => unsafe { shared(instances, "instances") }.map(Source::Instances),
         (true, true) => Err(Fault::argument("scene: null, expected a scene or instances")),
         (false, false) => Err(Fault::argument("scene: two objects, expected null for one of them")),
