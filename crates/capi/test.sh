@@ -48,7 +48,7 @@ memcheck+=(--show-leak-kinds=definite --errors-for-leak-kinds=definite)
 
 for c in gcc clang; do
     for precision in -DDOUBLE -DSINGLE; do
-        for test in answers hostile; do
+        for test in answers hostile instances hostile_instances; do
             build=("$c" "${warnings[@]}" -std=c11 "$precision" "tests/$test.c")
             "${build[@]}" -o "$made/$test" "${shared[@]}" -lpthread -lm
             "${build[@]}" -o "$made/$test-asan" "${sanitize[@]}" "${static[@]}"
@@ -58,6 +58,11 @@ for c in gcc clang; do
         "$made/hostile" "$made"
         "$made/hostile-asan" "$made"
         "${memcheck[@]}" "$made/hostile" "$made" no-roundings
+        for test in instances hostile_instances; do
+            "$made/$test"
+            "$made/$test-asan"
+        done
+        "${memcheck[@]}" "$made/hostile_instances"
     done
     "$c" "${warnings[@]}" -std=c11 examples/minimal.c -o "$made/minimal" "${shared[@]}"
     "${memcheck[@]}" "$made/minimal"

@@ -15,12 +15,14 @@
 
 mod assembly;
 mod crossings;
+mod filter;
 mod nearest;
 mod walk;
 mod wide_nearest;
 mod wide_walk;
 
 pub use assembly::{Assembly, AssemblyError, Instance, Object};
+pub use filter::{FilteredInstances, InstanceFilter};
 pub use nearest::InstanceNear;
 
 use std::fmt;
@@ -202,10 +204,7 @@ impl<V: Vector> InstanceTracer<V> {
     pub fn closest_and_point(&self, ray: impl Into<ExactRay<V>>) -> Option<(InstanceHit<V::Real>, ExactPoint<V>)> {
         let ray = ray.into();
         let found = self.search(&ray, Wanted::Closest).found.pop()?;
-        let Found { triangle, test, .. } = found;
-        let hit = self.hit(&ray, found)?;
-        let point = ExactPoint::of(ray, &triangle, self.maps(&hit.path), test.span(&triangle));
-        Some((hit, point))
+        self.hit_and_point(ray, found)
     }
 
     fn one(&self, ray: &ExactRay<V>, wanted: Wanted) -> Option<InstanceHit<V::Real>> {

@@ -12,7 +12,7 @@
 //! |---|---|---|
 //! | [`Tracer`], the default | a hierarchy of eight children | [`RayQueries`], [`MeshQueries`], [`Filterable`] |
 //! | [`BinaryTracer`] | a binary hierarchy, with any traversal of both papers and any tests | [`RayQueries`], [`MeshQueries`], [`Filterable`] |
-//! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that start on a surface | [`RayQueries`], crossings, nearest points |
+//! | [`InstanceTracer`] | meshes placed by affine maps, also for rays that start on a surface | [`RayQueries`], [`filtered`](InstanceTracer::filtered), crossings, nearest points |
 //!
 //! Construction of a tracer refuses a traversal that does not fit ([`Unsupported`](crate::traverse::Unsupported)).
 //! Tracing is infallible. The constructors of meshes, rays, balls and builders check their inputs
@@ -58,7 +58,8 @@ pub use counters::{Counters, WideCounters};
 pub use crossings::{AllHits, AllHits64, AllHitsQuery, Crossings};
 pub use filter::{Filter, Filterable, Filtered};
 pub use instances::{
-    Assembly, AssemblyError, Instance, InstanceCounts, InstanceError, InstanceHit, InstanceNear, InstanceTracer, Object,
+    Assembly, AssemblyError, FilteredInstances, Instance, InstanceCounts, InstanceError, InstanceFilter, InstanceHit,
+    InstanceNear, InstanceTracer, Object,
 };
 pub use kernel_bvhs::{KernelBvhs, KernelShape};
 pub use leaf_primitives::LeafPrimitives;

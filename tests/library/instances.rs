@@ -2,6 +2,7 @@
 //! `[INST-6]`, `[INST-8]`
 
 mod afar;
+mod filters;
 mod nearest;
 pub(crate) mod scenes;
 mod thresholds;

@@ -9,7 +9,7 @@ use stackless_bvh::generate::{Rng, Source, procedural};
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::truth::{Number, RBig};
 use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError, Real, Vector};
-use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, RayQueries};
+use stackless_bvh::trace::{Assembly, Instance, InstanceFilter, InstanceHit, InstanceTracer, RayQueries};
 use stackless_bvh::traverse::Method;
 
 use stackless_check::in_single;
@@ -222,6 +222,7 @@ fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
                     assert_eq!(tracer.any(&ray), !expected.is_empty(), "{ray:?}");
                     assert_eq!(tracer.closest(&ray).as_ref(), found.as_ref().map(|(hit, _)| hit), "{ray:?}");
                 }
+                check_filtered(&scene.tracers, &ray, &expected);
                 let Some((t, path, prim, weights, exact_t)) = expected.first() else {
                     assert!(found.is_none(), "{ray:?} {found:?}");
                     continue;
@@ -247,6 +248,25 @@ fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
     }
     assert!(hits > 1000 && at_own_plane > 200 && longest == 11, "{hits} {at_own_plane} {longest}");
     assert!(scenes.iter().filter(|scene| scene.tracers.len() == 3).count() > 2);
+}
+
+/// The closest accepted hit is the first accepted one of all hits, also of rays that leave a triangle. `[FILTER-1]`
+fn check_filtered<V: Precision>(tracers: &[InstanceTracer<V>], ray: &ExactRay<V>, expected: &[Hit<'_, V::Real>]) {
+    let by_triangle = |path: &[u32], prim: u32| (path.iter().sum::<u32>() + prim) % 3 != 0;
+    let by_hit = |hit: &InstanceHit<V::Real>| hit.u <= hit.v || hit.prim % 4 == 0;
+    let accepted = expected.iter().map(|(t, path, prim, [u, v], _)| InstanceHit {
+        path: path.to_vec(),
+        prim: *prim,
+        t: *t,
+        u: *u,
+        v: *v,
+    });
+    let accepted: Vec<_> = accepted.filter(|hit| by_triangle(&hit.path, hit.prim) && by_hit(hit)).collect();
+    for tracer in tracers {
+        let filtered = tracer.filtered(InstanceFilter::ALL.triangles(&by_triangle).hits(&by_hit));
+        assert_eq!(filtered.closest_and_point(ray).map(|(hit, _)| hit).as_ref(), accepted.first(), "{ray:?}");
+        assert_eq!((filtered.all(ray), filtered.any(ray)), (accepted.clone(), !accepted.is_empty()), "{ray:?}");
+    }
 }
 
 #[test]

@@ -5,16 +5,16 @@
  *
  * Pointers. A pointer is null, or points to the number of values in the call. No other thread changes these values
  * during the call. Results need not be initialised. They may be in one structure with the arguments, but must not
- * overlap them. A scene must come from this library, and must not be freed. The library cannot check these conditions.
- * It refuses null pointers (unless null is allowed, or the array has 0 elements), misaligned pointers, strides that
- * are smaller than an element or would misalign one, sizes beyond the address space, numbers that are not finite, and
- * indices without a vertex.
+ * overlap them. Scenes, points and instances must come from this library, and must not be freed. The library cannot
+ * check these conditions. It refuses null pointers (unless null is allowed, or the array has 0 elements), misaligned
+ * pointers, strides that are smaller than an element or would misalign one, sizes beyond the address space, numbers
+ * that are not finite, and indices without an element.
  *
  * Arrays. The stride is the distance in bytes from one element to the next: sizeof(stackless_ray_d) for an array of
  * rays.
  *
- * Threads. Any number of threads may query a scene at the same time, also while other threads build scenes. A scene
- * must not be in use while it is refitted or freed.
+ * Threads. Any number of threads may query a scene or instances at the same time, also while other threads build
+ * scenes. A scene must not be in use while it is refitted or freed.
  *
  * Floats. Each calling thread must round to nearest and keep subnormal numbers. This is the default;
  * _MM_SET_FLUSH_ZERO_MODE and -ffast-math change it. Otherwise calls fail with STACKLESS_ERROR_FLOAT_ENVIRONMENT.
@@ -30,6 +30,9 @@
 
 // The index that means no face, for a ray that misses.
 #define STACKLESS_NO_FACE UINT32_MAX
+
+// The greatest number of groups that contain each other: the length of a path.
+#define STACKLESS_MAX_LEVELS 8
 
 // Build quality: a short build, and nearly the fastest queries.
 #define STACKLESS_QUALITY_STANDARD 0
@@ -85,6 +88,14 @@ typedef enum {
     STACKLESS_ERROR_INTERNAL = 7,
 } stackless_error;
 
+// Scenes and other instances, placed by affine maps. They share the hierarchies of their scenes. Any number of threads
+// may query them at the same time.
+typedef struct stackless_instances_d stackless_instances_d;
+
+// Scenes and other instances, placed by affine maps. They share the hierarchies of their scenes. Any number of threads
+// may query them at the same time.
+typedef struct stackless_instances_f stackless_instances_f;
+
 // An exact point: of floats, or of a hit. Any number of threads may use it at the same time.
 typedef struct stackless_point_d stackless_point_d;
 
@@ -134,12 +145,12 @@ typedef struct {
     // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
     // faces have all bits set.
     uint32_t mask;
-    // The index of a face whose hits are not accepted. May be null.
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
     const uint32_t *skip;
     // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
     // ray of the call, at the program's address. The function must always return the same value for a hit. It is
     // called in no particular order, possibly several times for one face, and by several threads at once in parallel
-    // batches. It must return: it must neither throw an exception nor jump. It may query scenes.
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
     bool (*accepts)(void *user, const stackless_ray_d *ray, const stackless_hit_d *hit);
     // Passed to `accepts`.
     void *user;
@@ -170,6 +181,78 @@ typedef struct {
     bool is_closed;
 } stackless_exact_ray_d;
 
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
+typedef struct {
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
+    uint32_t mask;
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    const uint32_t *skip;
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    bool (*accepts)(void *user, const stackless_exact_ray_d *ray, const stackless_hit_d *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_exact_filter_d;
+
+// The hit of a ray with a face of an instance.
+typedef struct {
+    // Distance in lengths of the direction; infinite for a miss.
+    double t;
+    // Weight of the face's second vertex; NaN for a miss.
+    double u;
+    // Weight of the face's third vertex; NaN for a miss.
+    double v;
+    // Index of the face in its scene; `STACKLESS_NO_FACE` for a miss.
+    uint32_t face;
+    // Number of groups that contain the face; 0 for a miss.
+    uint32_t levels;
+    // The index of the instance in each of these groups, outermost first. The other numbers are `UINT32_MAX`.
+    uint32_t path[STACKLESS_MAX_LEVELS];
+} stackless_instance_hit_d;
+
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
+typedef struct {
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
+    uint32_t mask;
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    const stackless_instance_hit_d *skip;
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    bool (*accepts)(void *user, const stackless_exact_ray_d *ray, const stackless_instance_hit_d *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_instances_exact_filter_d;
+
+// A scene or a group of instances. Of the two pointers, one is null.
+typedef struct {
+    // A scene, or null.
+    const stackless_scene_d *scene;
+    // Instances, or null.
+    const stackless_instances_d *instances;
+} stackless_object_d;
+
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
+typedef struct {
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
+    uint32_t mask;
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    const stackless_instance_hit_d *skip;
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    bool (*accepts)(void *user, const stackless_ray_d *ray, const stackless_instance_hit_d *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_instances_filter_d;
+
 // The points `origin + t * direction` with `tmin <= t <= tmax`.
 typedef struct {
     // Finite.
@@ -199,12 +282,12 @@ typedef struct {
     // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
     // faces have all bits set.
     uint32_t mask;
-    // The index of a face whose hits are not accepted. May be null.
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
     const uint32_t *skip;
     // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
     // ray of the call, at the program's address. The function must always return the same value for a hit. It is
     // called in no particular order, possibly several times for one face, and by several threads at once in parallel
-    // batches. It must return: it must neither throw an exception nor jump. It may query scenes.
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
     bool (*accepts)(void *user, const stackless_ray_f *ray, const stackless_hit_f *hit);
     // Passed to `accepts`.
     void *user;
@@ -234,6 +317,78 @@ typedef struct {
     // leaves, nor any other face that contains the origin.
     bool is_closed;
 } stackless_exact_ray_f;
+
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
+typedef struct {
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
+    uint32_t mask;
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    const uint32_t *skip;
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    bool (*accepts)(void *user, const stackless_exact_ray_f *ray, const stackless_hit_f *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_exact_filter_f;
+
+// The hit of a ray with a face of an instance.
+typedef struct {
+    // Distance in lengths of the direction; infinite for a miss.
+    float t;
+    // Weight of the face's second vertex; NaN for a miss.
+    float u;
+    // Weight of the face's third vertex; NaN for a miss.
+    float v;
+    // Index of the face in its scene; `STACKLESS_NO_FACE` for a miss.
+    uint32_t face;
+    // Number of groups that contain the face; 0 for a miss.
+    uint32_t levels;
+    // The index of the instance in each of these groups, outermost first. The other numbers are `UINT32_MAX`.
+    uint32_t path[STACKLESS_MAX_LEVELS];
+} stackless_instance_hit_f;
+
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
+typedef struct {
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
+    uint32_t mask;
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    const stackless_instance_hit_f *skip;
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    bool (*accepts)(void *user, const stackless_exact_ray_f *ray, const stackless_instance_hit_f *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_instances_exact_filter_f;
+
+// A scene or a group of instances. Of the two pointers, one is null.
+typedef struct {
+    // A scene, or null.
+    const stackless_scene_f *scene;
+    // Instances, or null.
+    const stackless_instances_f *instances;
+} stackless_object_f;
+
+// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
+typedef struct {
+    // Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
+    // faces have all bits set.
+    uint32_t mask;
+    // The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    const stackless_instance_hit_f *skip;
+    // Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
+    // ray of the call, at the program's address. The function must always return the same value for a hit. It is
+    // called in no particular order, possibly several times for one face, and by several threads at once in parallel
+    // batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    bool (*accepts)(void *user, const stackless_ray_f *ray, const stackless_instance_hit_f *hit);
+    // Passed to `accepts`.
+    void *user;
+} stackless_instances_filter_f;
 
 #ifdef __cplusplus
 extern "C" {
@@ -421,14 +576,153 @@ stackless_error stackless_point_of_hit_d(const stackless_scene_d *scene,
 stackless_error stackless_point_free_d(stackless_point_d *point);
 
 // Finds the closest hit of a ray that starts at an exact point, and creates the exact point of the hit, at which the
-// next ray may start. `point` may be null. `*point` is null after a miss and after an error.
+// next ray may start. With a filter, which may be null, finds the first accepted hit. `point` may be null. `*point` is
+// null after a miss and after an error.
 stackless_error stackless_exact_closest1_d(const stackless_scene_d *scene,
                                            const stackless_exact_ray_d *ray,
+                                           const stackless_exact_filter_d *filter,
                                            stackless_hit_d *hit,
                                            stackless_point_d **point);
 
-// Finds whether a ray that starts at an exact point hits any face.
-stackless_error stackless_exact_any1_d(const stackless_scene_d *scene, const stackless_exact_ray_d *ray, bool *is_hit);
+// Finds whether a ray that starts at an exact point hits any face; with a filter, which may be null, whether it has an
+// accepted hit.
+stackless_error stackless_exact_any1_d(const stackless_scene_d *scene,
+                                       const stackless_exact_ray_d *ray,
+                                       const stackless_exact_filter_d *filter,
+                                       bool *is_hit);
+
+// Finds the closest hit of each ray, by `stackless_exact_closest1_d`. Filters are as in `stackless_closest_n_d`.
+// `points` may be null. Each of its pointers is null after a miss, and all are null after an error.
+stackless_error stackless_exact_closest_n_d(const stackless_scene_d *scene,
+                                            const stackless_exact_ray_d *rays,
+                                            size_t ray_stride,
+                                            size_t count,
+                                            const stackless_exact_filter_d *filters,
+                                            size_t filter_stride,
+                                            stackless_hit_d *hits,
+                                            size_t hit_stride,
+                                            stackless_point_d **points,
+                                            size_t point_stride,
+                                            uint32_t flags);
+
+// Finds whether each ray has a hit, by `stackless_exact_any1_d`. Filters are as in `stackless_closest_n_d`.
+stackless_error stackless_exact_any_n_d(const stackless_scene_d *scene,
+                                        const stackless_exact_ray_d *rays,
+                                        size_t ray_stride,
+                                        size_t count,
+                                        const stackless_exact_filter_d *filters,
+                                        size_t filter_stride,
+                                        bool *is_hit,
+                                        size_t is_hit_stride,
+                                        uint32_t flags);
+
+// Finds the closest hit of a ray that starts at an exact point, like `stackless_exact_closest1_d`. The point of the hit
+// may be the start of rays of these instances, of other instances and of scenes.
+stackless_error stackless_instances_exact_closest1_d(const stackless_instances_d *instances,
+                                                     const stackless_exact_ray_d *ray,
+                                                     const stackless_instances_exact_filter_d *filter,
+                                                     stackless_instance_hit_d *hit,
+                                                     stackless_point_d **point);
+
+// Finds whether a ray that starts at an exact point has a hit, like `stackless_exact_any1_d`.
+stackless_error stackless_instances_exact_any1_d(const stackless_instances_d *instances,
+                                                 const stackless_exact_ray_d *ray,
+                                                 const stackless_instances_exact_filter_d *filter,
+                                                 bool *is_hit);
+
+// Finds the closest hit of each ray, like `stackless_exact_closest_n_d`.
+stackless_error stackless_instances_exact_closest_n_d(const stackless_instances_d *instances,
+                                                      const stackless_exact_ray_d *rays,
+                                                      size_t ray_stride,
+                                                      size_t count,
+                                                      const stackless_instances_exact_filter_d *filters,
+                                                      size_t filter_stride,
+                                                      stackless_instance_hit_d *hits,
+                                                      size_t hit_stride,
+                                                      stackless_point_d **points,
+                                                      size_t point_stride,
+                                                      uint32_t flags);
+
+// Finds whether each ray has a hit, like `stackless_exact_any_n_d`.
+stackless_error stackless_instances_exact_any_n_d(const stackless_instances_d *instances,
+                                                  const stackless_exact_ray_d *rays,
+                                                  size_t ray_stride,
+                                                  size_t count,
+                                                  const stackless_instances_exact_filter_d *filters,
+                                                  size_t filter_stride,
+                                                  bool *is_hit,
+                                                  size_t is_hit_stride,
+                                                  uint32_t flags);
+
+// Places scenes, and other instances, by affine maps. Instance i is `objects[indices[i]]`, placed by `transforms[i]`:
+// three rows of four numbers, the translation last. Maps are exact: no transformed vertex is rounded. They must have an
+// inverse. Strides are in bytes; the stride and the address of the transforms need not be aligned. `options` may be
+// null. `*instances` is null after an error.
+//
+// Instances do not need their objects any more: these may be refitted or destroyed. Instances keep the vertices and the
+// masks that their scenes had.
+stackless_error stackless_instances_new_d(const stackless_object_d *objects,
+                                          size_t object_stride,
+                                          size_t object_count,
+                                          const uint32_t *indices,
+                                          size_t index_stride,
+                                          const double *transforms,
+                                          size_t transform_stride,
+                                          size_t count,
+                                          const stackless_options *options,
+                                          stackless_instances_d **instances);
+
+// Destroys instances. No thread may use them any more. Null is ignored.
+stackless_error stackless_instances_free_d(stackless_instances_d *instances);
+
+// Writes the least and the greatest coordinates of a box that contains all faces, three numbers each. The box may be
+// larger than necessary.
+stackless_error stackless_instances_bounds_d(const stackless_instances_d *instances, double *lower, double *upper);
+
+// Finds the closest hit of a ray: the hit with the least exact distance, of equal distances the least path, and of
+// equal paths the least index of a face. With a filter, which may be null, finds the first accepted hit.
+stackless_error stackless_instances_closest1_d(const stackless_instances_d *instances,
+                                               const stackless_ray_d *ray,
+                                               const stackless_instances_filter_d *filter,
+                                               stackless_instance_hit_d *hit);
+
+// Finds whether a ray has a hit; with a filter, which may be null, an accepted hit.
+stackless_error stackless_instances_any1_d(const stackless_instances_d *instances,
+                                           const stackless_ray_d *ray,
+                                           const stackless_instances_filter_d *filter,
+                                           bool *is_hit);
+
+// Finds all hits of a ray, each face of each instance once, in the order of exact distances, then of paths and
+// indices. The other arguments are those of `stackless_all1_d`.
+stackless_error stackless_instances_all1_d(const stackless_instances_d *instances,
+                                           const stackless_ray_d *ray,
+                                           const stackless_instances_filter_d *filter,
+                                           stackless_instance_hit_d *hits,
+                                           size_t hit_stride,
+                                           size_t capacity,
+                                           size_t *count);
+
+// Finds the closest hit of each ray, by `stackless_instances_closest1_d`. Filters are as in `stackless_closest_n_d`.
+stackless_error stackless_instances_closest_n_d(const stackless_instances_d *instances,
+                                                const stackless_ray_d *rays,
+                                                size_t ray_stride,
+                                                size_t count,
+                                                const stackless_instances_filter_d *filters,
+                                                size_t filter_stride,
+                                                stackless_instance_hit_d *hits,
+                                                size_t hit_stride,
+                                                uint32_t flags);
+
+// Finds whether each ray has a hit, by `stackless_instances_any1_d`. Filters are as in `stackless_closest_n_d`.
+stackless_error stackless_instances_any_n_d(const stackless_instances_d *instances,
+                                            const stackless_ray_d *rays,
+                                            size_t ray_stride,
+                                            size_t count,
+                                            const stackless_instances_filter_d *filters,
+                                            size_t filter_stride,
+                                            bool *is_hit,
+                                            size_t is_hit_stride,
+                                            uint32_t flags);
 
 // Builds a scene in single precision. Vertices and faces are copied. Strides are in bytes; the strides and addresses
 // of these arrays need not be aligned. A face is three indices of vertices. `options` may be null. `*scene` is null
@@ -608,14 +902,153 @@ stackless_error stackless_point_of_hit_f(const stackless_scene_f *scene,
 stackless_error stackless_point_free_f(stackless_point_f *point);
 
 // Finds the closest hit of a ray that starts at an exact point, and creates the exact point of the hit, at which the
-// next ray may start. `point` may be null. `*point` is null after a miss and after an error.
+// next ray may start. With a filter, which may be null, finds the first accepted hit. `point` may be null. `*point` is
+// null after a miss and after an error.
 stackless_error stackless_exact_closest1_f(const stackless_scene_f *scene,
                                            const stackless_exact_ray_f *ray,
+                                           const stackless_exact_filter_f *filter,
                                            stackless_hit_f *hit,
                                            stackless_point_f **point);
 
-// Finds whether a ray that starts at an exact point hits any face.
-stackless_error stackless_exact_any1_f(const stackless_scene_f *scene, const stackless_exact_ray_f *ray, bool *is_hit);
+// Finds whether a ray that starts at an exact point hits any face; with a filter, which may be null, whether it has an
+// accepted hit.
+stackless_error stackless_exact_any1_f(const stackless_scene_f *scene,
+                                       const stackless_exact_ray_f *ray,
+                                       const stackless_exact_filter_f *filter,
+                                       bool *is_hit);
+
+// Finds the closest hit of each ray, by `stackless_exact_closest1_f`. Filters are as in `stackless_closest_n_f`.
+// `points` may be null. Each of its pointers is null after a miss, and all are null after an error.
+stackless_error stackless_exact_closest_n_f(const stackless_scene_f *scene,
+                                            const stackless_exact_ray_f *rays,
+                                            size_t ray_stride,
+                                            size_t count,
+                                            const stackless_exact_filter_f *filters,
+                                            size_t filter_stride,
+                                            stackless_hit_f *hits,
+                                            size_t hit_stride,
+                                            stackless_point_f **points,
+                                            size_t point_stride,
+                                            uint32_t flags);
+
+// Finds whether each ray has a hit, by `stackless_exact_any1_f`. Filters are as in `stackless_closest_n_f`.
+stackless_error stackless_exact_any_n_f(const stackless_scene_f *scene,
+                                        const stackless_exact_ray_f *rays,
+                                        size_t ray_stride,
+                                        size_t count,
+                                        const stackless_exact_filter_f *filters,
+                                        size_t filter_stride,
+                                        bool *is_hit,
+                                        size_t is_hit_stride,
+                                        uint32_t flags);
+
+// Finds the closest hit of a ray that starts at an exact point, like `stackless_exact_closest1_f`. The point of the hit
+// may be the start of rays of these instances, of other instances and of scenes.
+stackless_error stackless_instances_exact_closest1_f(const stackless_instances_f *instances,
+                                                     const stackless_exact_ray_f *ray,
+                                                     const stackless_instances_exact_filter_f *filter,
+                                                     stackless_instance_hit_f *hit,
+                                                     stackless_point_f **point);
+
+// Finds whether a ray that starts at an exact point has a hit, like `stackless_exact_any1_f`.
+stackless_error stackless_instances_exact_any1_f(const stackless_instances_f *instances,
+                                                 const stackless_exact_ray_f *ray,
+                                                 const stackless_instances_exact_filter_f *filter,
+                                                 bool *is_hit);
+
+// Finds the closest hit of each ray, like `stackless_exact_closest_n_f`.
+stackless_error stackless_instances_exact_closest_n_f(const stackless_instances_f *instances,
+                                                      const stackless_exact_ray_f *rays,
+                                                      size_t ray_stride,
+                                                      size_t count,
+                                                      const stackless_instances_exact_filter_f *filters,
+                                                      size_t filter_stride,
+                                                      stackless_instance_hit_f *hits,
+                                                      size_t hit_stride,
+                                                      stackless_point_f **points,
+                                                      size_t point_stride,
+                                                      uint32_t flags);
+
+// Finds whether each ray has a hit, like `stackless_exact_any_n_f`.
+stackless_error stackless_instances_exact_any_n_f(const stackless_instances_f *instances,
+                                                  const stackless_exact_ray_f *rays,
+                                                  size_t ray_stride,
+                                                  size_t count,
+                                                  const stackless_instances_exact_filter_f *filters,
+                                                  size_t filter_stride,
+                                                  bool *is_hit,
+                                                  size_t is_hit_stride,
+                                                  uint32_t flags);
+
+// Places scenes, and other instances, by affine maps. Instance i is `objects[indices[i]]`, placed by `transforms[i]`:
+// three rows of four numbers, the translation last. Maps are exact: no transformed vertex is rounded. They must have an
+// inverse. Strides are in bytes; the stride and the address of the transforms need not be aligned. `options` may be
+// null. `*instances` is null after an error.
+//
+// Instances do not need their objects any more: these may be refitted or destroyed. Instances keep the vertices and the
+// masks that their scenes had.
+stackless_error stackless_instances_new_f(const stackless_object_f *objects,
+                                          size_t object_stride,
+                                          size_t object_count,
+                                          const uint32_t *indices,
+                                          size_t index_stride,
+                                          const float *transforms,
+                                          size_t transform_stride,
+                                          size_t count,
+                                          const stackless_options *options,
+                                          stackless_instances_f **instances);
+
+// Destroys instances. No thread may use them any more. Null is ignored.
+stackless_error stackless_instances_free_f(stackless_instances_f *instances);
+
+// Writes the least and the greatest coordinates of a box that contains all faces, three numbers each. The box may be
+// larger than necessary.
+stackless_error stackless_instances_bounds_f(const stackless_instances_f *instances, float *lower, float *upper);
+
+// Finds the closest hit of a ray: the hit with the least exact distance, of equal distances the least path, and of
+// equal paths the least index of a face. With a filter, which may be null, finds the first accepted hit.
+stackless_error stackless_instances_closest1_f(const stackless_instances_f *instances,
+                                               const stackless_ray_f *ray,
+                                               const stackless_instances_filter_f *filter,
+                                               stackless_instance_hit_f *hit);
+
+// Finds whether a ray has a hit; with a filter, which may be null, an accepted hit.
+stackless_error stackless_instances_any1_f(const stackless_instances_f *instances,
+                                           const stackless_ray_f *ray,
+                                           const stackless_instances_filter_f *filter,
+                                           bool *is_hit);
+
+// Finds all hits of a ray, each face of each instance once, in the order of exact distances, then of paths and
+// indices. The other arguments are those of `stackless_all1_f`.
+stackless_error stackless_instances_all1_f(const stackless_instances_f *instances,
+                                           const stackless_ray_f *ray,
+                                           const stackless_instances_filter_f *filter,
+                                           stackless_instance_hit_f *hits,
+                                           size_t hit_stride,
+                                           size_t capacity,
+                                           size_t *count);
+
+// Finds the closest hit of each ray, by `stackless_instances_closest1_f`. Filters are as in `stackless_closest_n_f`.
+stackless_error stackless_instances_closest_n_f(const stackless_instances_f *instances,
+                                                const stackless_ray_f *rays,
+                                                size_t ray_stride,
+                                                size_t count,
+                                                const stackless_instances_filter_f *filters,
+                                                size_t filter_stride,
+                                                stackless_instance_hit_f *hits,
+                                                size_t hit_stride,
+                                                uint32_t flags);
+
+// Finds whether each ray has a hit, by `stackless_instances_any1_f`. Filters are as in `stackless_closest_n_f`.
+stackless_error stackless_instances_any_n_f(const stackless_instances_f *instances,
+                                            const stackless_ray_f *rays,
+                                            size_t ray_stride,
+                                            size_t count,
+                                            const stackless_instances_filter_f *filters,
+                                            size_t filter_stride,
+                                            bool *is_hit,
+                                            size_t is_hit_stride,
+                                            uint32_t flags);
 
 #ifdef __cplusplus
 }  // extern "C"

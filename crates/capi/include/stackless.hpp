@@ -63,6 +63,12 @@ template <class Real> struct functions;
         using filter = stackless_filter_##p;                                                                           \
         using point = stackless_point_##p;                                                                             \
         using exact_ray = stackless_exact_ray_##p;                                                                     \
+        using exact_filter = stackless_exact_filter_##p;                                                               \
+        using instances = stackless_instances_##p;                                                                     \
+        using instance_hit = stackless_instance_hit_##p;                                                               \
+        using instances_filter = stackless_instances_filter_##p;                                                       \
+        using instances_exact_filter = stackless_instances_exact_filter_##p;                                           \
+        using object = stackless_object_##p;                                                                           \
         static constexpr auto make = stackless_scene_new_##p;                                                          \
         static constexpr auto free = stackless_scene_free_##p;                                                         \
         static constexpr auto refit = stackless_scene_refit_##p;                                                       \
@@ -89,10 +95,88 @@ template <class Real> struct functions;
         static constexpr auto point_free = stackless_point_free_##p;                                                   \
         static constexpr auto exact_closest1 = stackless_exact_closest1_##p;                                           \
         static constexpr auto exact_any1 = stackless_exact_any1_##p;                                                   \
+        static constexpr auto exact_closest_n = stackless_exact_closest_n_##p;                                         \
+        static constexpr auto exact_any_n = stackless_exact_any_n_##p;                                                 \
+        static constexpr auto instances_new = stackless_instances_new_##p;                                             \
+        static constexpr auto instances_free = stackless_instances_free_##p;                                           \
+        static constexpr auto instances_bounds = stackless_instances_bounds_##p;                                       \
+        static constexpr auto instances_closest1 = stackless_instances_closest1_##p;                                   \
+        static constexpr auto instances_any1 = stackless_instances_any1_##p;                                           \
+        static constexpr auto instances_all1 = stackless_instances_all1_##p;                                           \
+        static constexpr auto instances_closest_n = stackless_instances_closest_n_##p;                                 \
+        static constexpr auto instances_any_n = stackless_instances_any_n_##p;                                         \
+        static constexpr auto instances_exact_closest1 = stackless_instances_exact_closest1_##p;                       \
+        static constexpr auto instances_exact_any1 = stackless_instances_exact_any1_##p;                               \
+        static constexpr auto instances_exact_closest_n = stackless_instances_exact_closest_n_##p;                     \
+        static constexpr auto instances_exact_any_n = stackless_instances_exact_any_n_##p;                             \
     };
 STACKLESS_FUNCTIONS(float, f)
 STACKLESS_FUNCTIONS(double, d)
 #undef STACKLESS_FUNCTIONS
+
+// Views of containers, for the classes below.
+namespace detail {
+
+template <class Items>
+using item = std::remove_cv_t<std::remove_pointer_t<decltype(std::data(std::declval<const Items&>()))>>;
+
+template <class Items> constexpr std::size_t stride(const Items&) { return sizeof(item<Items>); }
+
+// The rays of a container.
+template <class Ray, class Rays> const Ray* of_rays(const Rays& rays)
+{
+    static_assert(std::is_same_v<item<Rays>, Ray>, "rays are of the precision of the scene");
+    return std::data(rays);
+}
+
+// The first number of the first item. Items start with their numbers.
+template <class Number, std::size_t Count = 3, class Items> const Number* numbers(const Items& items)
+{
+    using type = item<Items>;
+    static_assert(std::is_standard_layout_v<type>, "items are structures of C");
+    static_assert(sizeof(type) >= Count * sizeof(Number), "items begin with their numbers");
+    return reinterpret_cast<const Number*>(std::data(items));
+}
+
+inline std::uint32_t flags(threads by) { return static_cast<std::uint32_t>(by); }
+
+template <class Hit> std::optional<Hit> some(const Hit& found)
+{
+    return found.face == STACKLESS_NO_FACE ? std::nullopt : std::optional<Hit>(found);
+}
+
+// All hits: `find` fills a buffer, and returns the total number.
+template <class Hit, class Find> std::vector<Hit> all(Find find)
+{
+    std::vector<Hit> hits(8);
+    const std::size_t count = find(hits);
+    const bool is_short = count > hits.size();
+    hits.resize(count);
+    if (is_short) {
+        find(hits);
+    }
+    return hits;
+}
+
+// 1 for each ray that hits, otherwise 0: `find` fills a buffer.
+template <class Find> std::vector<std::uint8_t> any(std::size_t count, Find find)
+{
+    const std::unique_ptr<bool[]> found(new bool[count]());
+    find(found.get());
+    return std::vector<std::uint8_t>(found.get(), found.get() + count);
+}
+
+// A filter of this type that calls `accepts(ray, hit)`.
+template <class Filter, class Ray, class Hit, class Skip, class Accepts>
+Filter accepting(Accepts& accepts, std::uint32_t mask, const Skip* skip)
+{
+    const auto ask = [](void* user, const Ray* r, const Hit* found) noexcept -> bool {
+        return (*static_cast<Accepts*>(user))(*r, *found);
+    };
+    return {mask, skip, ask, const_cast<void*>(static_cast<const void*>(&accepts))};
+}
+
+} // namespace detail
 
 // An exact point, such as the point of a hit.
 template <class Real> class exact_point {
@@ -120,6 +204,46 @@ private:
     std::unique_ptr<handle, deleter> handle_;
 };
 
+// A hit, with the point at which the next ray may start.
+template <class Real, class Hit> struct exact_hit {
+    Hit found;
+    exact_point<Real> point;
+};
+
+namespace detail {
+
+// The queries of a batch of exact rays, by functions of stackless.h.
+template <class Real, class Hit, class Find, class Handle, class Rays, class Filter>
+std::vector<std::optional<exact_hit<Real, Hit>>> exact_closest_n(Find find, const Handle* in, const Rays& rays,
+                                                                 threads by, const Filter* of)
+{
+    using ray = typename functions<Real>::exact_ray;
+    const std::size_t count = std::size(rays);
+    std::vector<Hit> hits(count);
+    std::vector<typename functions<Real>::point*> made(count);
+    std::vector<std::optional<exact_hit<Real, Hit>>> found(count);
+    check(find(in, of_rays<ray>(rays), sizeof(ray), count, of, 0, hits.data(), sizeof(Hit), made.data(),
+               sizeof(made[0]), flags(by)));
+    for (std::size_t i = 0; i < count; i++) {
+        if (made[i] != nullptr) {
+            found[i].emplace(exact_hit<Real, Hit>{hits[i], exact_point<Real>(made[i])});
+        }
+    }
+    return found;
+}
+
+template <class Real, class Find, class Handle, class Rays, class Filter>
+std::vector<std::uint8_t> exact_any_n(Find find, const Handle* in, const Rays& rays, threads by, const Filter* of)
+{
+    using ray = typename functions<Real>::exact_ray;
+    const std::size_t count = std::size(rays);
+    return any(count, [&](bool* found) {
+        check(find(in, of_rays<ray>(rays), sizeof(ray), count, of, 0, found, sizeof(bool), flags(by)));
+    });
+}
+
+} // namespace detail
+
 // A mesh with its hierarchy, in the precision `Real`: float or double. Threads may call its const functions at the same
 // time. Containers are contiguous: vectors, arrays, spans. Vertices, points and faces are structures that start with
 // three numbers, such as `std::array<double, 3>` and `std::array<std::uint32_t, 3>`.
@@ -134,19 +258,17 @@ public:
     using point = std::array<Real, 3>;
     using filter = typename call::filter;
     using exact_ray = typename call::exact_ray;
+    using exact_filter = typename call::exact_filter;
 
-    // A hit, with the point at which the next ray may start.
-    struct exact_hit {
-        hit found;
-        exact_point<Real> point;
-    };
+    using exact_hit = stackless::exact_hit<Real, hit>;
 
     template <class Vertices, class Faces>
     scene(const Vertices& vertices, const Faces& faces, const stackless_options& options = {})
     {
         handle* made = nullptr;
-        check(call::make(numbers<Real>(vertices), stride(vertices), std::size(vertices), numbers<std::uint32_t>(faces),
-                         stride(faces), std::size(faces), &options, &made));
+        check(call::make(detail::numbers<Real>(vertices), detail::stride(vertices), std::size(vertices),
+                         detail::numbers<std::uint32_t>(faces), detail::stride(faces), std::size(faces), &options,
+                         &made));
         handle_.reset(made);
     }
 
@@ -177,7 +299,8 @@ public:
 
     template <class Vertices> void refit(const Vertices& vertices)
     {
-        check(call::refit(handle_.get(), numbers<Real>(vertices), stride(vertices), std::size(vertices)));
+        check(call::refit(handle_.get(), detail::numbers<Real>(vertices), detail::stride(vertices),
+                          std::size(vertices)));
     }
 
     // A mask for each face.
@@ -190,10 +313,15 @@ public:
     template <class Accepts>
     static filter accepting(Accepts& accepts, std::uint32_t mask = UINT32_MAX, const std::uint32_t* skip = nullptr)
     {
-        const auto ask = [](void* user, const ray* r, const hit* found) noexcept -> bool {
-            return (*static_cast<Accepts*>(user))(*r, *found);
-        };
-        return {mask, skip, ask, const_cast<void*>(static_cast<const void*>(&accepts))};
+        return detail::accepting<filter, ray, hit>(accepts, mask, skip);
+    }
+
+    // The same for rays that start at exact points.
+    template <class Accepts>
+    static exact_filter exact_accepting(Accepts& accepts, std::uint32_t mask = UINT32_MAX,
+                                        const std::uint32_t* skip = nullptr)
+    {
+        return detail::accepting<exact_filter, exact_ray, hit>(accepts, mask, skip);
     }
 
     std::size_t face_count() const
@@ -215,7 +343,7 @@ public:
     {
         hit found;
         check(call::closest1(get(), &r, by, &found));
-        return some(found);
+        return detail::some(found);
     }
 
     bool any(const ray& r, const filter* by = nullptr) const
@@ -227,22 +355,18 @@ public:
 
     std::vector<hit> all(const ray& r, const filter* by = nullptr) const
     {
-        std::vector<hit> hits(8);
-        std::size_t count = 0;
-        check(call::all1(get(), &r, by, hits.data(), sizeof(hit), hits.size(), &count));
-        const bool is_short = count > hits.size();
-        hits.resize(count);
-        if (is_short) {
+        return detail::all<hit>([&](std::vector<hit>& hits) {
+            std::size_t count = 0;
             check(call::all1(get(), &r, by, hits.data(), sizeof(hit), hits.size(), &count));
-        }
-        return hits;
+            return count;
+        });
     }
 
     std::optional<hit> next(const ray& r, const hit& after) const
     {
         hit found;
         check(call::next1(get(), &r, &after, &found));
-        return some(found);
+        return detail::some(found);
     }
 
     // The exact point at which a ray hits a face.
@@ -253,19 +377,34 @@ public:
         return exact_point<Real>(made);
     }
 
-    std::optional<exact_hit> exact_closest(const exact_ray& r) const
+    std::optional<exact_hit> exact_closest(const exact_ray& r, const exact_filter* by = nullptr) const
     {
         hit found;
         typename call::point* made = nullptr;
-        check(call::exact_closest1(get(), &r, &found, &made));
+        check(call::exact_closest1(get(), &r, by, &found, &made));
         return made == nullptr ? std::nullopt : std::optional<exact_hit>({found, exact_point<Real>(made)});
     }
 
-    bool exact_any(const exact_ray& r) const
+    bool exact_any(const exact_ray& r, const exact_filter* by = nullptr) const
     {
         bool found = false;
-        check(call::exact_any1(get(), &r, &found));
+        check(call::exact_any1(get(), &r, by, &found));
         return found;
+    }
+
+    // A filter applies to all rays.
+    template <class Rays>
+    std::vector<std::optional<exact_hit>> exact_closest_n(const Rays& rays, threads by = threads::one,
+                                                          const exact_filter* of = nullptr) const
+    {
+        return detail::exact_closest_n<Real, hit>(call::exact_closest_n, get(), rays, by, of);
+    }
+
+    template <class Rays>
+    std::vector<std::uint8_t> exact_any_n(const Rays& rays, threads by = threads::one,
+                                          const exact_filter* of = nullptr) const
+    {
+        return detail::exact_any_n<Real>(call::exact_any_n, get(), rays, by, of);
     }
 
     // The face of a miss is STACKLESS_NO_FACE. A filter applies to all rays.
@@ -273,8 +412,8 @@ public:
     std::vector<hit> closest_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
     {
         std::vector<hit> hits(std::size(rays));
-        check(call::closest_n(get(), of_rays(rays), sizeof(ray), hits.size(), of, 0, hits.data(), sizeof(hit),
-                              flags(by)));
+        check(call::closest_n(get(), detail::of_rays<ray>(rays), sizeof(ray), hits.size(), of, 0, hits.data(),
+                              sizeof(hit), detail::flags(by)));
         return hits;
     }
 
@@ -283,9 +422,10 @@ public:
     std::vector<std::uint8_t> any_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
     {
         const std::size_t count = std::size(rays);
-        const std::unique_ptr<bool[]> found(new bool[count]());
-        check(call::any_n(get(), of_rays(rays), sizeof(ray), count, of, 0, found.get(), sizeof(bool), flags(by)));
-        return std::vector<std::uint8_t>(found.get(), found.get() + count);
+        return detail::any(count, [&](bool* found) {
+            check(call::any_n(get(), detail::of_rays<ray>(rays), sizeof(ray), count, of, 0, found, sizeof(bool),
+                              detail::flags(by)));
+        });
     }
 
     std::uint32_t crossings(const ray& r) const { return crossings_n(std::array<ray, 1>{r})[0]; }
@@ -293,8 +433,8 @@ public:
     template <class Rays> std::vector<std::uint32_t> crossings_n(const Rays& rays, threads by = threads::one) const
     {
         std::vector<std::uint32_t> counts(std::size(rays));
-        check(call::crossings_n(get(), of_rays(rays), sizeof(ray), counts.size(), counts.data(), sizeof(counts[0]),
-                                flags(by)));
+        check(call::crossings_n(get(), detail::of_rays<ray>(rays), sizeof(ray), counts.size(), counts.data(),
+                                sizeof(counts[0]), detail::flags(by)));
         return counts;
     }
 
@@ -304,8 +444,8 @@ public:
     std::vector<location> locate_n(const Points& points, rule r = rule::parity, threads by = threads::one) const
     {
         std::vector<std::uint8_t> found(std::size(points));
-        check(call::locate_n(get(), numbers<Real>(points), stride(points), found.size(),
-                             static_cast<std::uint32_t>(r), found.data(), 1, flags(by)));
+        check(call::locate_n(get(), detail::numbers<Real>(points), detail::stride(points), found.size(),
+                             static_cast<std::uint32_t>(r), found.data(), 1, detail::flags(by)));
         std::vector<location> places(found.size());
         for (std::size_t i = 0; i < found.size(); i++) {
             places[i] = static_cast<location>(found[i]);
@@ -318,8 +458,9 @@ public:
     std::vector<Real> signed_distances_n(const Points& points, rule r = rule::parity, threads by = threads::one) const
     {
         std::vector<Real> distances(std::size(points));
-        check(call::signed_distances_n(get(), numbers<Real>(points), stride(points), distances.size(),
-                                       static_cast<std::uint32_t>(r), distances.data(), sizeof(Real), flags(by)));
+        check(call::signed_distances_n(get(), detail::numbers<Real>(points), detail::stride(points), distances.size(),
+                                       static_cast<std::uint32_t>(r), distances.data(), sizeof(Real),
+                                       detail::flags(by)));
         return distances;
     }
 
@@ -328,8 +469,8 @@ public:
     std::vector<nearest_point> nearest_n(const Points& points, Real radius, threads by = threads::one) const
     {
         std::vector<nearest_point> nears(std::size(points));
-        check(call::nearest_n(get(), numbers<Real>(points), stride(points), nears.size(), radius, nears.data(),
-                              sizeof(nearest_point), flags(by)));
+        check(call::nearest_n(get(), detail::numbers<Real>(points), detail::stride(points), nears.size(), radius,
+                              nears.data(), sizeof(nearest_point), detail::flags(by)));
         return nears;
     }
 
@@ -353,32 +494,146 @@ private:
 
     explicit scene(handle* made) : handle_(made) {}
 
-    static std::uint32_t flags(threads by) { return static_cast<std::uint32_t>(by); }
+    std::unique_ptr<handle, deleter> handle_;
+};
 
-    static std::optional<hit> some(const hit& found)
+// Scenes, and other instances, placed by affine maps. They do not need their scenes any more.
+template <class Real> class instances {
+    using call = functions<Real>;
+    using handle = typename call::instances;
+
+public:
+    using ray = typename call::ray;
+    using hit = typename call::instance_hit;
+    using filter = typename call::instances_filter;
+    using point = std::array<Real, 3>;
+    using object = typename call::object;
+    using exact_ray = typename call::exact_ray;
+    using exact_filter = typename call::instances_exact_filter;
+    using exact_hit = stackless::exact_hit<Real, hit>;
+
+    static object of(const scene<Real>& it) { return {it.get(), nullptr}; }
+    static object of(const instances& it) { return {nullptr, it.get()}; }
+
+    // Instance i is `objects[indices[i]]`, placed by `transforms[i]`, which starts with 12 numbers, row by row: a
+    // structure such as `std::array<std::array<double, 4>, 3>`.
+    template <class Transforms>
+    instances(const std::vector<object>& objects, const std::vector<std::uint32_t>& indices,
+              const Transforms& transforms, const stackless_options& options = {})
     {
-        return found.face == STACKLESS_NO_FACE ? std::nullopt : std::optional<hit>(found);
+        if (indices.size() != std::size(transforms)) {
+            throw std::invalid_argument("as many indices as transforms are needed");
+        }
+        handle* made = nullptr;
+        check(call::instances_new(objects.data(), sizeof(object), objects.size(), indices.data(),
+                                  sizeof(std::uint32_t), detail::numbers<Real, 12>(transforms),
+                                  detail::stride(transforms), indices.size(), &options, &made));
+        handle_.reset(made);
     }
 
-    template <class Items>
-    using item = std::remove_cv_t<std::remove_pointer_t<decltype(std::data(std::declval<const Items&>()))>>;
-
-    template <class Items> static constexpr std::size_t stride(const Items&) { return sizeof(item<Items>); }
-
-    template <class Rays> static const ray* of_rays(const Rays& rays)
+    // A filter that calls `accepts(ray, hit)`, which must be pure and must not throw. It is not copied.
+    template <class Accepts>
+    static filter accepting(Accepts& accepts, std::uint32_t mask = UINT32_MAX, const hit* skip = nullptr)
     {
-        static_assert(std::is_same_v<item<Rays>, ray>, "rays are of the precision of the scene");
-        return std::data(rays);
+        return detail::accepting<filter, ray, hit>(accepts, mask, skip);
     }
 
-    // The first number of the first item. Items start with their numbers.
-    template <class Number, class Items> static const Number* numbers(const Items& items)
+    // The same for rays that start at exact points.
+    template <class Accepts>
+    static exact_filter exact_accepting(Accepts& accepts, std::uint32_t mask = UINT32_MAX, const hit* skip = nullptr)
     {
-        using type = item<Items>;
-        static_assert(std::is_standard_layout_v<type>, "items are structures of C");
-        static_assert(sizeof(type) >= 3 * sizeof(Number), "items begin with three numbers");
-        return reinterpret_cast<const Number*>(std::data(items));
+        return detail::accepting<exact_filter, exact_ray, hit>(accepts, mask, skip);
     }
+
+    // The least and the greatest coordinates of a box that contains all faces.
+    std::array<point, 2> bounds() const
+    {
+        std::array<point, 2> found;
+        check(call::instances_bounds(get(), found[0].data(), found[1].data()));
+        return found;
+    }
+
+    std::optional<hit> closest(const ray& r, const filter* by = nullptr) const
+    {
+        hit found;
+        check(call::instances_closest1(get(), &r, by, &found));
+        return detail::some(found);
+    }
+
+    bool any(const ray& r, const filter* by = nullptr) const
+    {
+        bool found = false;
+        check(call::instances_any1(get(), &r, by, &found));
+        return found;
+    }
+
+    std::vector<hit> all(const ray& r, const filter* by = nullptr) const
+    {
+        return detail::all<hit>([&](std::vector<hit>& hits) {
+            std::size_t count = 0;
+            check(call::instances_all1(get(), &r, by, hits.data(), sizeof(hit), hits.size(), &count));
+            return count;
+        });
+    }
+
+    // The face of a miss is STACKLESS_NO_FACE. A filter applies to all rays.
+    template <class Rays>
+    std::vector<hit> closest_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
+    {
+        std::vector<hit> hits(std::size(rays));
+        check(call::instances_closest_n(get(), detail::of_rays<ray>(rays), sizeof(ray), hits.size(), of, 0,
+                                        hits.data(), sizeof(hit), detail::flags(by)));
+        return hits;
+    }
+
+    // 1 for each ray that hits, otherwise 0.
+    template <class Rays>
+    std::vector<std::uint8_t> any_n(const Rays& rays, threads by = threads::one, const filter* of = nullptr) const
+    {
+        const std::size_t count = std::size(rays);
+        return detail::any(count, [&](bool* found) {
+            check(call::instances_any_n(get(), detail::of_rays<ray>(rays), sizeof(ray), count, of, 0, found,
+                                        sizeof(bool), detail::flags(by)));
+        });
+    }
+
+    std::optional<exact_hit> exact_closest(const exact_ray& r, const exact_filter* by = nullptr) const
+    {
+        hit found;
+        typename call::point* made = nullptr;
+        check(call::instances_exact_closest1(get(), &r, by, &found, &made));
+        return made == nullptr ? std::nullopt : std::optional<exact_hit>({found, exact_point<Real>(made)});
+    }
+
+    bool exact_any(const exact_ray& r, const exact_filter* by = nullptr) const
+    {
+        bool found = false;
+        check(call::instances_exact_any1(get(), &r, by, &found));
+        return found;
+    }
+
+    // A filter applies to all rays.
+    template <class Rays>
+    std::vector<std::optional<exact_hit>> exact_closest_n(const Rays& rays, threads by = threads::one,
+                                                          const exact_filter* of = nullptr) const
+    {
+        return detail::exact_closest_n<Real, hit>(call::instances_exact_closest_n, get(), rays, by, of);
+    }
+
+    template <class Rays>
+    std::vector<std::uint8_t> exact_any_n(const Rays& rays, threads by = threads::one,
+                                          const exact_filter* of = nullptr) const
+    {
+        return detail::exact_any_n<Real>(call::instances_exact_any_n, get(), rays, by, of);
+    }
+
+    // For calls of the functions of stackless.h.
+    const handle* get() const noexcept { return handle_.get(); }
+
+private:
+    struct deleter {
+        void operator()(handle* it) const noexcept { call::instances_free(it); }
+    };
 
     std::unique_ptr<handle, deleter> handle_;
 };

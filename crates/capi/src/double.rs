@@ -7,3 +7,5 @@ pub mod rays;
 pub mod points;
 
 pub mod exact;
+
+pub mod instances;

@@ -1,8 +1,8 @@
 //! Errors: a code for the program, and a message that names the element.
 
 use stackless_bvh::bvh::{BuildError, RefitError, WideError};
-use stackless_bvh::geom::{BallError, EnvironmentError, MeshError, RayError};
-use stackless_bvh::trace::SolidError;
+use stackless_bvh::geom::{AffineError, BallError, EnvironmentError, MeshError, RayError};
+use stackless_bvh::trace::{AssemblyError, SolidError};
 use stackless_scene::SavedError;
 
 use crate::memory::Element;
@@ -48,6 +48,18 @@ impl Fault {
 
     pub(crate) fn memory(bytes: usize) -> Self {
         Self::new(Error::OutOfMemory, format!("no memory for {bytes} bytes"))
+    }
+
+    /// Returns the fault of a part of an element.
+    pub(crate) fn within(self, element: Element) -> Self {
+        Self { message: format!("{element}.{}", self.message), ..self }
+    }
+
+    pub(crate) fn of_affine(error: AffineError, map: Element) -> Self {
+        match error {
+            AffineError::Environment(error) => error.into(),
+            error => Self::argument(format!("{map}: {error}")),
+        }
     }
 
     pub(crate) fn of_ray(error: RayError, ray: Element) -> Self {
@@ -107,6 +119,19 @@ impl From<WideError> for Fault {
         match error {
             WideError::Build(BuildError::Memory(bytes)) => Self::memory(bytes),
             WideError::Build(BuildError::Environment(error)) | WideError::Environment(error) => error.into(),
+            error => Self::argument(error),
+        }
+    }
+}
+
+impl From<AssemblyError> for Fault {
+    fn from(error: AssemblyError) -> Self {
+        match error {
+            AssemblyError::OutOfRange { instance } => {
+                Self::argument(format!("transforms[{instance}]: the image of its object leaves the range of floats"))
+            }
+            AssemblyError::Build(BuildError::Empty) => Self::argument("count: 0, expected at least 1"),
+            AssemblyError::Build(error) => WideError::Build(error).into(),
             error => Self::argument(error),
         }
     }

@@ -2,46 +2,50 @@
 
 use std::ffi::c_void;
 
-use stackless_bvh::trace::{Filter as Chooses, Hit as Found};
+use stackless_bvh::trace::{Filter as Chooses, Hit as Found, InstanceFilter, InstanceHit as Placed};
 
 use crate::error::Fault;
 use crate::memory::{In, shared};
 use crate::types::{Filter, Hit, Ray};
 
-/// The filters of an array of rays: one for each ray, one for all rays, or none.
+/// The filters of an array of rays `Y`: one for each ray, one for all rays, or none. They skip an `S` and accept hits
+/// `H`.
 #[derive(Debug)]
-pub(crate) struct Filters<'a, R>(Option<In<'a, Filter<R>>>);
+pub(crate) struct Filters<'a, Y, S, H>(Option<In<'a, Filter<Y, S, H>>>);
+
+/// The filters of rays of a scene.
+pub(crate) type SceneFilters<'a, R> = Filters<'a, Ray<R>, u32, Hit<R>>;
 
 // SAFETY: filters and their pointers are only read; the header requires functions that several threads may call.
-unsafe impl<R: Sync> Sync for Filters<'_, R> {}
+unsafe impl<Y, S: Sync, H> Sync for Filters<'_, Y, S, H> {}
 
 /// The filter of one ray.
 #[derive(Debug)]
-pub(crate) struct OneFilter<R> {
-    mask: u32,
-    skip: Option<u32>,
-    call: Option<Call<R>>,
+pub(crate) struct OneFilter<Y, S, H> {
+    pub(crate) mask: u32,
+    pub(crate) skip: Option<S>,
+    call: Option<Call<Y, H>>,
 }
 
 /// A function of the caller, and its arguments.
 #[derive(Debug)]
-struct Call<R> {
-    accepts: unsafe extern "C" fn(*mut c_void, *const Ray<R>, *const Hit<R>) -> bool,
+struct Call<Y, H> {
+    accepts: unsafe extern "C" fn(*mut c_void, *const Y, *const H) -> bool,
     user: *mut c_void,
-    ray: *const Ray<R>,
+    ray: *const Y,
 }
 
-// SAFETY: the header requires a function that several threads may call, and `ray` is only read.
-unsafe impl<R: Sync> Sync for Call<R> {}
+// SAFETY: the header requires a function that several threads may call, and this library does not read `ray`.
+unsafe impl<Y, H> Sync for Call<Y, H> {}
 
-impl<R: Copy> Filters<'_, R> {
+impl<Y: Copy, S: Copy, H: Copy> Filters<'_, Y, S, H> {
     /// Filters that are `stride` bytes apart; with a stride of 0 one filter for all rays. `None` if the pointer is
     /// null.
     ///
     /// # Safety
-    /// See [`In::new`]. Each `skip` is null, misaligned, or points to a number. Each `accepts` is null, or a function
+    /// See [`In::new`]. Each `skip` is null, misaligned, or points to an `S`. Each `accepts` is null, or a function
     /// that meets the header's requirements with this `user`.
-    pub(crate) unsafe fn new(first: *const Filter<R>, stride: usize, count: usize) -> Result<Self, Fault> {
+    pub(crate) unsafe fn new(first: *const Filter<Y, S, H>, stride: usize, count: usize) -> Result<Self, Fault> {
         if first.is_null() {
             return Ok(Self(None));
         }
@@ -57,32 +61,56 @@ impl<R: Copy> Filters<'_, R> {
     }
 
     /// The filter of the ray with this index.
-    pub(crate) fn get(&self, index: usize, rays: &In<'_, Ray<R>>) -> Result<Option<OneFilter<R>>, Fault> {
+    pub(crate) fn get(&self, index: usize, rays: &In<'_, Y>) -> Result<Option<OneFilter<Y, S, H>>, Fault> {
         let Some(filters) = &self.0 else { return Ok(None) };
         let Filter { mask, skip, accepts, user } = filters.get(index);
-        // SAFETY: `new` requires that the pointer is null, misaligned, or points to a number.
+        // SAFETY: `new` requires that the pointer is null, misaligned, or points to a value.
         let skip = if skip.is_null() { None } else { Some(*unsafe { shared(skip, "filter.skip") }?) };
         let ray = rays.pointer(index);
         Ok(Some(OneFilter { mask, skip, call: accepts.map(|accepts| Call { accepts, user, ray }) }))
     }
 }
 
-impl<R: Copy + Sync> OneFilter<R> {
-    /// Runs a query with the filter. `masks` are the masks of the faces; if empty, all bits are set.
+impl<R: Copy> OneFilter<Ray<R>, u32, Hit<R>> {
+    /// Runs a query of a scene with the filter. `masks` are the masks of the faces; if empty, all bits are set.
     pub(crate) fn ask<A>(&self, masks: &[u32], query: impl FnOnce(Chooses<'_, R>) -> A) -> A {
-        let is_seen =
-            |face: u32| masks.get(face as usize).is_none_or(|mask| mask & self.mask != 0) && self.skip != Some(face);
+        let is_seen = |face: u32| self.sees(masks, face) && self.skip != Some(face);
         match &self.call {
             None => query(Chooses::ALL.triangles(&is_seen)),
-            Some(call) => query(Chooses::ALL.triangles(&is_seen).hits(&|hit| call.accepts(hit))),
+            Some(call) => query(
+                Chooses::ALL
+                    .triangles(&is_seen)
+                    .hits(&|&Found { prim, t, u, v }| call.accepts(&Hit { t, u, v, face: prim })),
+            ),
         }
     }
 }
 
-impl<R: Copy> Call<R> {
-    fn accepts(&self, &Found { prim, t, u, v }: &Found<R>) -> bool {
-        let hit = Hit { t, u, v, face: prim };
+impl<Y, S, H> OneFilter<Y, S, H> {
+    /// Whether the mask of a face and that of the filter have a bit in common. Without masks all bits are set.
+    pub(crate) fn sees(&self, masks: &[u32], face: u32) -> bool {
+        masks.get(face as usize).unwrap_or(&u32::MAX) & self.mask != 0
+    }
+
+    /// Runs a query of instances with the filter, for faces that `is_seen` accepts. `hit` converts a hit.
+    pub(crate) fn ask_instances<R, A>(
+        &self,
+        is_seen: &(dyn Fn(&[u32], u32) -> bool + Sync),
+        hit: fn(&Placed<R>) -> H,
+        query: impl FnOnce(InstanceFilter<'_, R>) -> A,
+    ) -> A {
+        match &self.call {
+            None => query(InstanceFilter::ALL.triangles(is_seen)),
+            Some(call) => {
+                query(InstanceFilter::ALL.triangles(is_seen).hits(&|found: &Placed<R>| call.accepts(&hit(found))))
+            }
+        }
+    }
+}
+
+impl<Y, H> Call<Y, H> {
+    fn accepts(&self, hit: &H) -> bool {
         // SAFETY: `Filters::new` requires a function that supports this call; ray and hit outlive the call.
-        unsafe { (self.accepts)(self.user, self.ray, &raw const hit) }
+        unsafe { (self.accepts)(self.user, self.ray, hit) }
     }
 }

@@ -1,8 +1,8 @@
 //! The library for C and C++. Its documentation is `include/stackless.h`, which cbindgen generates from this crate.
 //!
 //! [`double`] and [`single`] have the functions that C calls. [`memory`] and [`filters`], the only other modules with
-//! `unsafe`, convert their pointers to values. The functions then call [`queries`], [`exact`] and [`scene`], which are
-//! safe.
+//! `unsafe`, convert their pointers to values. The functions then call [`queries`], [`exact`], [`scene`] and
+//! [`instances`](mod@instances), which are safe.
 
 #![deny(unsafe_code)]
 
@@ -13,6 +13,7 @@ mod error;
 mod exact;
 #[allow(unsafe_code, reason = "calls the functions of the caller")]
 mod filters;
+mod instances;
 #[allow(unsafe_code, reason = "reads and writes through the pointers of the caller")]
 mod memory;
 mod queries;
@@ -24,5 +25,6 @@ mod types;
 pub use border::stackless_error_message;
 pub use error::Error;
 pub use exact::Point;
+pub use instances::Instances;
 pub use scene::Scene;
-pub use types::{ExactRay, Filter, Hit, Near, Options, Ray};
+pub use types::{ExactRay, Filter, Hit, InstanceHit, Near, Object, Options, Ray};

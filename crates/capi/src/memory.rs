@@ -28,18 +28,19 @@ pub(crate) struct Element {
     index: Option<usize>,
 }
 
-impl Element {
-    /// A single element.
-    pub(crate) const fn of(name: &'static str) -> Self {
-        Self { name, index: None }
-    }
-}
-
 impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
         self.index.map_or(Ok(()), |index| write!(f, "[{index}]"))
     }
+}
+
+/// Returns an empty vector with room for `count` elements.
+pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Fault> {
+    let mut all = Vec::new();
+    let bytes = count.saturating_mul(size_of::<T>());
+    all.try_reserve_exact(count).map_err(|_| Fault::memory(bytes))?;
+    Ok(all)
 }
 
 /// Checks a pointer to an object of this library.
@@ -200,9 +201,7 @@ impl<T: Copy> In<'_, T> {
 
     /// Copies all elements.
     pub(crate) fn to_vec(&self) -> Result<Vec<T>, Fault> {
-        let mut all = Vec::new();
-        let bytes = self.count().saturating_mul(size_of::<T>());
-        all.try_reserve_exact(self.count()).map_err(|_| Fault::memory(bytes))?;
+        let mut all = room(self.count())?;
         all.extend((0..self.count()).map(|index| self.get(index)));
         Ok(all)
     }

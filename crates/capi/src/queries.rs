@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use rayon::ThreadPool;
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::geom::lanes::Precision;
 use stackless_bvh::geom::{Ball, Ray as CheckedRay, RayError, Real as _, check_environment};
@@ -11,9 +12,9 @@ use stackless_bvh::trace::{
 };
 
 use crate::error::Fault;
-use crate::filters::Filters;
+use crate::filters::SceneFilters;
 use crate::memory::{In, Out};
-use crate::scene::Scene;
+use crate::scene::{Scene, shared};
 use crate::types::{
     Hit, Near, Ray, STACKLESS_INSIDE, STACKLESS_NO_FACE, STACKLESS_OUTSIDE, STACKLESS_PARALLEL, STACKLESS_RULE_NONZERO,
     STACKLESS_RULE_PARITY, STACKLESS_RULE_WINDING, STACKLESS_SERIAL, STACKLESS_SURFACE,
@@ -29,7 +30,7 @@ impl<V: Precision> Scene<V> {
     pub(crate) fn closest1(
         &self,
         rays: &Rays<'_, V>,
-        filters: &Filters<'_, Real<V>>,
+        filters: &SceneFilters<'_, Real<V>>,
         index: usize,
     ) -> Result<Hit<Real<V>>, Fault> {
         let (ray, filter) = (checked::<V>(rays, index)?, filters.get(index, rays)?);
@@ -39,7 +40,12 @@ impl<V: Precision> Scene<V> {
         }))
     }
 
-    pub(crate) fn any1(&self, rays: &Rays<'_, V>, filters: &Filters<'_, Real<V>>, index: usize) -> Result<bool, Fault> {
+    pub(crate) fn any1(
+        &self,
+        rays: &Rays<'_, V>,
+        filters: &SceneFilters<'_, Real<V>>,
+        index: usize,
+    ) -> Result<bool, Fault> {
         let (ray, filter) = (checked::<V>(rays, index)?, filters.get(index, rays)?);
         Ok(match filter {
             None => self.tracer().any(&ray),
@@ -47,7 +53,11 @@ impl<V: Precision> Scene<V> {
         })
     }
 
-    pub(crate) fn all1(&self, ray: &Rays<'_, V>, filters: &Filters<'_, Real<V>>) -> Result<Vec<Hit<Real<V>>>, Fault> {
+    pub(crate) fn all1(
+        &self,
+        ray: &Rays<'_, V>,
+        filters: &SceneFilters<'_, Real<V>>,
+    ) -> Result<Vec<Hit<Real<V>>>, Fault> {
         let (checked, filter) = (checked::<V>(ray, 0)?, filters.get(0, ray)?);
         let hits = match filter {
             None => self.tracer().all(&checked),
@@ -69,7 +79,7 @@ impl<V: Precision> Scene<V> {
     pub(crate) fn closest_n(
         &self,
         rays: &Rays<'_, V>,
-        filters: &Filters<'_, Real<V>>,
+        filters: &SceneFilters<'_, Real<V>>,
         hits: Out<'_, Hit<Real<V>>>,
         flags: u32,
     ) -> Result<(), Fault> {
@@ -85,7 +95,7 @@ impl<V: Precision> Scene<V> {
     pub(crate) fn any_n(
         &self,
         rays: &Rays<'_, V>,
-        filters: &Filters<'_, Real<V>>,
+        filters: &SceneFilters<'_, Real<V>>,
         hits: Out<'_, bool>,
         flags: u32,
     ) -> Result<(), Fault> {
@@ -186,20 +196,39 @@ impl<V: Precision> Scene<V> {
     /// Writes the results of `answer` for ranges of indices.
     fn batch<A: Copy + Send>(
         &self,
-        mut answers: Out<'_, A>,
+        answers: Out<'_, A>,
         flags: u32,
         answer: impl Fn(Range<usize>) -> Result<Vec<A>, Fault> + Sync,
     ) -> Result<(), Fault> {
-        match flags {
-            STACKLESS_SERIAL => answers.answer(false, answer),
-            STACKLESS_PARALLEL => self.share(|| answers.answer(true, &answer)),
-            _ => Err(Fault::argument(format!("flags: {flags}, expected STACKLESS_SERIAL or STACKLESS_PARALLEL"))),
-        }
+        batch(self.pool(), answers, flags, answer)
+    }
+}
+
+/// Writes the results of `answer` for ranges of indices, on this thread or on these threads.
+pub(crate) fn batch<A: Copy + Send>(
+    pool: Option<&ThreadPool>,
+    mut answers: Out<'_, A>,
+    flags: u32,
+    answer: impl Fn(Range<usize>) -> Result<Vec<A>, Fault> + Sync,
+) -> Result<(), Fault> {
+    if is_parallel(flags)? { shared(pool, || answers.answer(true, &answer)) } else { answers.answer(false, answer) }
+}
+
+pub(crate) fn is_parallel(flags: u32) -> Result<bool, Fault> {
+    match flags {
+        STACKLESS_SERIAL => Ok(false),
+        STACKLESS_PARALLEL => Ok(true),
+        _ => Err(Fault::argument(format!("flags: {flags}, expected STACKLESS_SERIAL or STACKLESS_PARALLEL"))),
     }
 }
 
 fn all_checked<V: Precision>(rays: &Rays<'_, V>, range: Range<usize>) -> Result<Vec<CheckedRay<V>>, Fault> {
-    range.map(|index| checked::<V>(rays, index)).collect()
+    let first = range.start;
+    let ray = |index| {
+        let Ray { origin, tmin, direction, tmax } = rays.get(index);
+        (V::from_components(origin), V::from_components(direction), tmin, tmax)
+    };
+    CheckedRay::collect(range.map(ray)).map_err(|(i, error)| Fault::of_ray(error, rays.element(first + i)))
 }
 
 pub(crate) fn checked<V: Precision>(rays: &Rays<'_, V>, index: usize) -> Result<CheckedRay<V>, Fault> {

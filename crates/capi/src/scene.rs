@@ -27,7 +27,7 @@ pub struct Scene<V: Precision> {
     /// The bounds of the corners of faces: the least and the greatest coordinates.
     bounds: [[V::Real; 3]; 2],
     /// A mask for each face. If empty, all bits are set.
-    masks: Vec<u32>,
+    masks: Arc<[u32]>,
     /// Computed by the first query that needs it.
     boundary: OnceLock<Boundary>,
     /// Computed by the first ray that starts at an exact point.
@@ -61,7 +61,16 @@ impl<V: Precision + Stored> Scene<V> {
     fn of(mesh: Mesh<V>, bvh: WideBvh<8, V>, pool: Option<ThreadPool>) -> Self {
         let (bvh, bounds) = (Arc::new(bvh), bounds(&mesh));
         let tracer = Tracer::new(Arc::clone(&bvh));
-        Self { mesh, bvh, tracer, bounds, masks: Vec::new(), boundary: OnceLock::new(), exact: OnceLock::new(), pool }
+        Self {
+            mesh,
+            bvh,
+            tracer,
+            bounds,
+            masks: Arc::default(),
+            boundary: OnceLock::new(),
+            exact: OnceLock::new(),
+            pool,
+        }
     }
 
     /// Sets the masks of faces.
@@ -70,7 +79,7 @@ impl<V: Precision + Stored> Scene<V> {
         if found != expected {
             return Err(Fault::argument(format!("face_count: {found}, expected {expected} as the scene has")));
         }
-        self.masks = masks.to_vec()?;
+        self.masks = masks.to_vec()?.into();
         Ok(())
     }
 
@@ -82,7 +91,7 @@ impl<V: Precision + Stored> Scene<V> {
         }
         let mesh = Mesh::new(vectors::<V>(vertices)?, self.mesh.triangles().to_vec())?;
         let Self { bvh, tracer, pool, exact, .. } = self;
-        // Releases the other references to the hierarchy, so that it is not copied.
+        // Releases the other references to the hierarchy, so that it is copied only if instances share it.
         (*tracer, *exact) = (Tracer::new(Arc::new(WideBvh::empty())), OnceLock::new());
         let refitted = shared(pool.as_ref(), || Arc::make_mut(bvh).refit(&mesh));
         *tracer = Tracer::new(Arc::clone(bvh));
@@ -141,8 +150,16 @@ impl<V: Precision> Scene<V> {
         self.bounds
     }
 
-    pub(crate) fn masks(&self) -> &[u32] {
+    pub(crate) const fn masks(&self) -> &Arc<[u32]> {
         &self.masks
+    }
+
+    pub(crate) const fn bvh(&self) -> &Arc<WideBvh<8, V>> {
+        &self.bvh
+    }
+
+    pub(crate) const fn pool(&self) -> Option<&ThreadPool> {
+        self.pool.as_ref()
     }
 
     /// A tracer of rays that start at exact points. It shares the hierarchy.
@@ -168,7 +185,8 @@ fn bounds<V: Precision>(mesh: &Mesh<V>) -> [[V::Real; 3]; 2] {
     })
 }
 
-fn shared<A: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> A + Send) -> A {
+/// Runs work whose parallel parts use these threads, or those of the process.
+pub(crate) fn shared<A: Send>(pool: Option<&ThreadPool>, work: impl FnOnce() -> A + Send) -> A {
     match pool {
         Some(pool) => pool.install(work),
         None => work(),
@@ -188,7 +206,7 @@ fn vectors<V: Precision>(vertices: &Vertices<'_, V>) -> Result<Vec<V>, Fault> {
     Ok(vertices.into_iter().map(|Anywhere(vertex)| V::from_components(vertex)).collect())
 }
 
-fn builder(quality: u32) -> Result<Builder, Fault> {
+pub(crate) fn builder(quality: u32) -> Result<Builder, Fault> {
     Ok(match quality {
         STACKLESS_QUALITY_STANDARD => Builder::Standard,
         STACKLESS_QUALITY_HIGH => Builder::Best,
@@ -200,7 +218,7 @@ fn builder(quality: u32) -> Result<Builder, Fault> {
 /// The maximum number of threads.
 const MAX_THREADS: u32 = 1 << 12;
 
-fn pool(threads: u32) -> Result<Option<ThreadPool>, Fault> {
+pub(crate) fn pool(threads: u32) -> Result<Option<ThreadPool>, Fault> {
     if threads == 0 {
         return Ok(None);
     }

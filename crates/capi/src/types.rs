@@ -5,9 +5,14 @@ use std::ffi::c_void;
 use stackless_bvh::geom::lanes::Precision;
 
 use crate::exact::Point;
+use crate::instances::Instances;
+use crate::scene::Scene;
 
 /// The index that means no face, for a ray that misses.
 pub const STACKLESS_NO_FACE: u32 = u32::MAX;
+
+/// The greatest number of groups that contain each other: the length of a path.
+pub const STACKLESS_MAX_LEVELS: usize = 8;
 
 /// Build quality: a short build, and nearly the fastest queries.
 pub const STACKLESS_QUALITY_STANDARD: u32 = 0;
@@ -62,17 +67,17 @@ pub struct Ray<R> {
 /// A filter for hits. A query finds the first accepted hit. Masked and skipped faces are not tested.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
-pub struct Filter<R> {
+pub struct Filter<Y, S, H> {
     /// Hits of a face are accepted if its mask and this mask have a bit in common. In a new scene the masks of all
     /// faces have all bits set.
     pub mask: u32,
-    /// The index of a face whose hits are not accepted. May be null.
-    pub skip: *const u32,
+    /// The index of a face whose hits are not accepted; for instances, a hit of this face. May be null.
+    pub skip: *const S,
     /// Returns whether a hit is accepted, for example for transparency or for sides of faces. May be null. `ray` is the
     /// ray of the call, at the program's address. The function must always return the same value for a hit. It is
     /// called in no particular order, possibly several times for one face, and by several threads at once in parallel
-    /// batches. It must return: it must neither throw an exception nor jump. It may query scenes.
-    pub accepts: Option<unsafe extern "C" fn(user: *mut c_void, ray: *const Ray<R>, hit: *const Hit<R>) -> bool>,
+    /// batches. It must return: it must neither throw an exception nor jump. It may run queries.
+    pub accepts: Option<unsafe extern "C" fn(user: *mut c_void, ray: *const Y, hit: *const H) -> bool>,
     /// Passed to `accepts`.
     pub user: *mut c_void,
 }
@@ -106,6 +111,34 @@ pub struct Hit<R> {
     pub v: R,
     /// Index of the face; `STACKLESS_NO_FACE` for a miss.
     pub face: u32,
+}
+
+/// The hit of a ray with a face of an instance.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct InstanceHit<R> {
+    /// Distance in lengths of the direction; infinite for a miss.
+    pub t: R,
+    /// Weight of the face's second vertex; NaN for a miss.
+    pub u: R,
+    /// Weight of the face's third vertex; NaN for a miss.
+    pub v: R,
+    /// Index of the face in its scene; `STACKLESS_NO_FACE` for a miss.
+    pub face: u32,
+    /// Number of groups that contain the face; 0 for a miss.
+    pub levels: u32,
+    /// The index of the instance in each of these groups, outermost first. The other numbers are `UINT32_MAX`.
+    pub path: [u32; STACKLESS_MAX_LEVELS],
+}
+
+/// A scene or a group of instances. Of the two pointers, one is null.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Object<V: Precision> {
+    /// A scene, or null.
+    pub scene: *const Scene<V>,
+    /// Instances, or null.
+    pub instances: *const Instances<V>,
 }
 
 /// The nearest point of the mesh.

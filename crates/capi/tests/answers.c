@@ -332,28 +332,28 @@ static void check_exact(void)
         {{bottom, NULL, {0, 0, 1}, 3, false}, true},
     };
     for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
-        OK(CALL(exact_any1)(scene, &rays[i].ray, &is_hit));
-        OK(CALL(exact_closest1)(scene, &rays[i].ray, &hit, &met));
+        OK(CALL(exact_any1)(scene, &rays[i].ray, NULL, &is_hit));
+        OK(CALL(exact_closest1)(scene, &rays[i].ray, NULL, &hit, &met));
         CHECK(is_hit == rays[i].is_hit && (hit.face != STACKLESS_NO_FACE) == is_hit && (met != NULL) == is_hit);
-        OK(CALL(exact_closest1)(scene, &rays[i].ray, &hit, NULL));
+        OK(CALL(exact_closest1)(scene, &rays[i].ray, NULL, &hit, NULL));
         CHECK((hit.face != STACKLESS_NO_FACE) == is_hit);
         OK(CALL(point_free)(met));
     }
-    OK(CALL(exact_closest1)(scene, &rays[11].ray, &hit, &met));
+    OK(CALL(exact_closest1)(scene, &rays[11].ray, NULL, &hit, &met));
     CHECK(hit.t == 2);
     /* The ray does not need its points, and a point does not need the scene. */
     OK(CALL(point_free)(bottom));
     OK(CALL(scene_free)(scene));
     scene = cube();
     const exact_ray_t back = {met, NULL, {0, 0, -1}, (real)INFINITY, false};
-    OK(CALL(exact_closest1)(scene, &back, &hit, NULL));
+    OK(CALL(exact_closest1)(scene, &back, NULL, &hit, NULL));
     CHECK(hit.t == 2);
     real moved[8][3];
     for (int i = 0; i < 24; i++) {
         moved[i / 3][i % 3] = CUBE[i / 3][i % 3] * 2;
     }
     OK(CALL(scene_refit)(scene, moved[0], sizeof moved[0], 8));
-    OK(CALL(exact_closest1)(scene, &back, &hit, NULL));
+    OK(CALL(exact_closest1)(scene, &back, NULL, &hit, NULL));
     CHECK(hit.t == 3);
     OK(CALL(point_free)(met));
     OK(CALL(point_free)(top));

@@ -22,6 +22,12 @@ typedef CALL(near) near_t;
 typedef CALL(filter) filter_t;
 typedef CALL(point) point_t;
 typedef CALL(exact_ray) exact_ray_t;
+typedef CALL(exact_filter) exact_filter_t;
+typedef CALL(object) object_t;
+typedef CALL(instances) instances_t;
+typedef CALL(instance_hit) instance_hit_t;
+typedef CALL(instances_filter) instances_filter_t;
+typedef CALL(instances_exact_filter) instances_exact_filter_t;
 
 /* Ends the program if a condition does not hold. */
 #define CHECK(condition) check((condition), #condition, __FILE__, __LINE__)

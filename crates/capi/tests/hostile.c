@@ -110,6 +110,12 @@ static void filters(scene_t *scene)
     INVALID("face_count: 11, expected 12", CALL(scene_set_masks)(scene, masks, 4, 11));
     INVALID("scene: null", CALL(scene_set_masks)(NULL, masks, 4, 12));
     INVALID("face_count", CALL(scene_set_masks)(scene, masks, 4, SIZE_MAX));
+    /* In a new scene all bits are set: any bit of a filter is in common, and no bit is not. */
+    const filter_t no_bit = {.mask = 0};
+    OK(CALL(closest1)(scene, &RAY, &no_bit, hits));
+    CHECK(hits[0].face == STACKLESS_NO_FACE);
+    OK(CALL(closest1)(scene, &RAY, &filter, hits));
+    CHECK(hits[0].face != STACKLESS_NO_FACE);
     /* A mask of 0 accepts no face; without a filter all faces are accepted. */
     OK(CALL(scene_set_masks)(scene, masks, 4, 12));
     const filter_t all = {.mask = UINT32_MAX};
@@ -146,14 +152,42 @@ static void exact(const scene_t *scene)
         {{point, NULL, {1, 0, 0}, -1, true}, "ray.tmax: -1"},
         {{point, NULL, {1, 0, 0}, (real)NAN, true}, "tmax NaN"},
     };
-    for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
-        INVALID(rays[i].text, CALL(exact_any1)(scene, &rays[i].ray, &is_hit));
-        INVALID(rays[i].text, CALL(exact_closest1)(scene, &rays[i].ray, &hit, NULL));
-    }
     const exact_ray_t ray = {point, NULL, {1, 0, 0}, 1, true};
-    INVALID("scene: null", CALL(exact_any1)(NULL, &ray, &is_hit));
-    INVALID("hit: null", CALL(exact_closest1)(scene, &ray, NULL, NULL));
-    INVALID("point: address", CALL(exact_closest1)(scene, &ray, &hit, MISALIGNED(point_t *)));
+    const size_t size = sizeof ray;
+    for (size_t i = 0; i < sizeof rays / sizeof rays[0]; i++) {
+        INVALID(rays[i].text, CALL(exact_any1)(scene, &rays[i].ray, NULL, &is_hit));
+        INVALID(rays[i].text, CALL(exact_closest1)(scene, &rays[i].ray, NULL, &hit, NULL));
+        /* The last ray of a batch: no point is created. */
+        exact_ray_t batch[600];
+        hit_t hits[600];
+        point_t *points[600];
+        for (size_t j = 0; j < 600; j++) {
+            batch[j] = j == 599 ? rays[i].ray : ray;
+            points[j] = (point_t *)(void *)aligned;
+        }
+        char text[64];
+        snprintf(text, sizeof text, "rays[599]%s", rays[i].text[0] == 'r' ? rays[i].text + 3 : "");
+        for (uint32_t flags = 0; flags < 2; flags++) {
+            INVALID(text, CALL(exact_closest_n)(scene, batch, size, 600, NULL, 0, hits, sizeof hit, points,
+                                                sizeof points[0], flags));
+            for (size_t j = 0; j < 600; j++) {
+                CHECK(points[j] == NULL);
+            }
+            INVALID(text, CALL(exact_any_n)(scene, batch, size, 600, NULL, 0, &is_hit, sizeof hit, flags));
+        }
+    }
+    const exact_filter_t misaligned = {.mask = 1, .skip = MISALIGNED(uint32_t)};
+    INVALID("scene: null", CALL(exact_any1)(NULL, &ray, NULL, &is_hit));
+    INVALID("hit: null", CALL(exact_closest1)(scene, &ray, NULL, NULL, NULL));
+    INVALID("point: address", CALL(exact_closest1)(scene, &ray, NULL, &hit, MISALIGNED(point_t *)));
+    INVALID("filter.skip: address", CALL(exact_closest1)(scene, &ray, &misaligned, &hit, NULL));
+    INVALID("filter: address", CALL(exact_any1)(scene, &ray, MISALIGNED(exact_filter_t), &is_hit));
+    INVALID("stride of rays", CALL(exact_any_n)(scene, &ray, size - 1, 1, NULL, 0, &is_hit, 1, 0));
+    INVALID("stride of points: 4",
+            CALL(exact_closest_n)(scene, &ray, size, 1, NULL, 0, &hit, sizeof hit, &point, 4, 0));
+    INVALID("hits: null", CALL(exact_closest_n)(scene, &ray, size, 1, NULL, 0, NULL, sizeof hit, NULL, 0, 0));
+    INVALID("flags: 2", CALL(exact_any_n)(scene, &ray, size, 1, NULL, 0, &is_hit, 1, 2));
+    OK(CALL(exact_closest_n)(scene, NULL, 0, 0, NULL, 0, NULL, 0, NULL, 0, STACKLESS_PARALLEL));
     OK(CALL(point_free)(point));
 }
 

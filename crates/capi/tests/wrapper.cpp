@@ -83,6 +83,57 @@ template <class Real> static void run(const std::string& file)
     CHECK(!made.exact_closest({side->point.get(), nullptr, {0, 0, 1}, infinity, false}));
     CHECK(made.exact_any({stackless::exact_point<Real>({1, 1, 1}).get(), bottom.get(), {}, 0, true}));
 
+    const std::vector<typename scene::exact_ray> ways = {{bottom.get(), nullptr, {0, 0, 1}, infinity, false},
+                                                         {bottom.get(), nullptr, {0, 0, -1}, infinity, false}};
+    const auto is_low = [](const typename scene::exact_ray&, const typename scene::hit& hit) { return hit.t < 1; };
+    const auto low = scene::exact_accepting(is_low);
+    for (const auto by : {stackless::threads::one, stackless::threads::all}) {
+        const auto met = made.exact_closest_n(ways, by);
+        CHECK(met[0]->found.t == 2 && !met[1] && !made.exact_any({met[0]->point.get(), bottom.get(), {}, 0, false}));
+        CHECK((made.exact_any_n(ways, by) == std::vector<std::uint8_t>{1, 0}));
+        CHECK(!made.exact_closest_n(ways, by, &low)[0] && !made.exact_any_n(ways, by, &low)[0]);
+    }
+    CHECK(!made.exact_closest(ways[0], &low) && !made.exact_any(ways[0], &low));
+
+    // Two tetrahedra, one above the other, and twice as large.
+    using instances = stackless::instances<Real>;
+    using map = std::array<std::array<Real, 4>, 3>;
+    const std::vector<map> maps = {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 8}}},
+                                   {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+    const std::vector<map> twice = {{{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}}}};
+    const instances row({instances::of(made)}, {0, 0}, maps);
+    const instances nest({instances::of(row)}, {0}, twice, {STACKLESS_QUALITY_FAST, 1});
+    const auto lowest = nest.closest(up);
+    CHECK(lowest->t == 1 && lowest->face == 0 && lowest->levels == 2 && lowest->path[0] == 0 && lowest->path[1] == 1);
+    CHECK(nest.all(up).size() == 4 && nest.any(up) && !nest.any(away) && !nest.closest(away));
+    CHECK(nest.bounds()[0][2] <= 0 && nest.bounds()[1][2] >= 24 && nest.bounds()[1][2] < 24.01);
+    const auto is_above = [](const ray&, const typename instances::hit& hit) { return hit.path[1] == 0; };
+    const auto above = instances::accepting(is_above), no_bottoms = instances::accepting(is_above, 8);
+    CHECK(nest.closest(up, &above)->t == 17 && nest.all(up, &no_bottoms).size() == 1 && nest.any(up, &above));
+    for (const auto by : {stackless::threads::one, stackless::threads::all}) {
+        CHECK(nest.closest_n(rays, by)[2].t == 1 && nest.closest_n(rays, by, &above)[0].t == 17);
+        CHECK((nest.any_n(rays, by, &above) == std::vector<std::uint8_t>{1, 0, 1}));
+    }
+    // From the lowest bottom, to the side above it, which is the side of the same tetrahedron.
+    const stackless::exact_point<Real> below({1, 1, -1});
+    const auto base = nest.exact_closest({below.get(), nullptr, {0, 0, 1}, infinity, false});
+    CHECK(base->found.t == 1 && base->found.path[1] == 1);
+    const auto from = base->point.get();
+    const std::vector<typename instances::exact_ray> onward = {{from, nullptr, {0, 0, 1}, infinity, false},
+                                                               {from, nullptr, {0, 0, -1}, infinity, false}};
+    const auto is_on_top = [](const typename instances::exact_ray&, const typename instances::hit& hit) {
+        return hit.path[1] == 0;
+    };
+    const auto on_top = instances::exact_accepting(is_on_top), others = instances::exact_accepting(is_on_top, 0);
+    for (const auto by : {stackless::threads::one, stackless::threads::all}) {
+        const auto met = nest.exact_closest_n(onward, by);
+        CHECK(met[0]->found.face == 3 && met[0]->found.t == 6 && !met[1]);
+        CHECK(nest.exact_closest_n(onward, by, &on_top)[0]->found.t == 16 && !nest.exact_any_n(onward, by, &others)[0]);
+        CHECK((nest.exact_any_n(onward, by) == std::vector<std::uint8_t>{1, 0}));
+    }
+    CHECK(nest.exact_any(onward[0], &on_top) && !nest.exact_any(onward[1]));
+    refused(STACKLESS_ERROR_INVALID_ARGUMENT, "indices[1]: 1", [&] { instances({instances::of(made)}, {0, 1}, maps); });
+
     // More hits than the first buffer holds.
     const std::vector<std::array<std::uint32_t, 3>> many(100, faces[0]);
     CHECK(scene(vertices, many).all(up).size() == 100);

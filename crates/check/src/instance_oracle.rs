@@ -118,12 +118,12 @@ pub fn check_instances<V: Vector>(
     check_answer(tracer, &flat.all(ray), ray)
 }
 
-/// Compares all queries of a ray with its expected hits, which must be sorted.
+/// Compares all queries of a ray with its expected hits, which must be sorted. The tracer may be filtered.
 ///
 /// # Errors
 /// The first wrong answer.
 pub fn check_answer<V: Vector>(
-    tracer: &InstanceTracer<V>,
+    tracer: &impl RayQueries<Ray<V>, Hit = InstanceHit<V::Real>>,
     expected: &[InstanceHit<V::Real>],
     ray: &Ray<V>,
 ) -> Result<bool, InstanceFault<V::Real>> {

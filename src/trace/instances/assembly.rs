@@ -141,6 +141,37 @@ impl<V: Vector> Assembly<V> {
         Ok(self.add(Part::Group(Arc::new(Group { instances, bvh, levels: below + 1 }))))
     }
 
+    /// Adds all objects of another assembly, and returns the function from its objects to the added ones. Meshes are
+    /// shared, and groups as well if this assembly is empty; otherwise groups are copied.
+    pub fn append(&mut self, other: &Self) -> impl Fn(Object) -> Object + use<V> {
+        let first = self.parts.len() as u32;
+        let added = move |object: Object| Object(object.0.saturating_add(first));
+        self.parts.extend(other.parts.iter().map(|part| match part {
+            Part::Group(group) if first > 0 => {
+                let place = |&Instance { object, affine }| Instance { object: added(object), affine };
+                let instances = group.instances.iter().map(place).collect();
+                Part::Group(Arc::new(Group { instances, bvh: group.bvh.clone(), levels: group.levels }))
+            }
+            part => part.clone(),
+        }));
+        added
+    }
+
+    /// Returns the least and the greatest corner of a box that contains the exact image of all triangles of an object.
+    /// The box is not the least. `None` for an object that is not of this assembly. `[INST-2]`
+    pub fn bounds(&self, object: Object) -> Option<[V; 2]> {
+        let bounds = self.part(object)?.bounds().map(|bounds| bounds.ends());
+        let below = |x: f64| {
+            let near = V::Real::rounded(x);
+            if near.into() > x { near.next_down() } else { near }
+        };
+        let above = |x: f64| {
+            let below: f64 = below(-x).into();
+            V::Real::rounded(-below)
+        };
+        Some([V::from_components(bounds.map(|[lo, _]| below(lo))), V::from_components(bounds.map(|[_, hi]| above(hi)))])
+    }
+
     /// Returns the number of levels of an object: 1 for a mesh, 0 for an object that is not of this assembly.
     pub fn levels(&self, object: Object) -> u32 {
         self.part(object).map_or(0, Part::levels)

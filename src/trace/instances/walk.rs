@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::{Instance, InstanceCounts, InstanceTracer};
+use super::{Instance, InstanceCounts, InstanceFilter, InstanceTracer};
 use crate::bvh::{Bvh, LeafTriangle};
 use crate::geom::kernel::{self, Certainty};
 use crate::geom::slabs::{EnclosedSlabs, Intervals};
@@ -19,6 +19,9 @@ pub(super) struct Search<'r, V: Vector> {
     /// The ray itself.
     pub(super) ray: &'r ExactRay<V>,
     pub(super) wanted: Wanted,
+    pub(super) filter: InstanceFilter<'r, V::Real>,
+    /// Whether some triangles may be excluded. One comparison answers this for most rays.
+    is_choosy: bool,
     /// The distance of the best hit, or the ray's end: hits beyond are ignored.
     pub(super) t: V::Real,
     /// This distance, rounded up: boxes beyond are skipped.
@@ -64,10 +67,15 @@ pub(super) struct Found<V: Vector> {
 
 impl<'r, V: Vector> Search<'r, V> {
     pub(super) fn new(ray: &'r ExactRay<V>, wanted: Wanted) -> Self {
+        Self::filtered(ray, wanted, InstanceFilter::ALL)
+    }
+
+    pub(super) fn filtered(ray: &'r ExactRay<V>, wanted: Wanted, filter: InstanceFilter<'r, V::Real>) -> Self {
         let (found, path, memory) = (Vec::new(), Vec::new(), Vec::new());
         let [_, t] = ray.interval();
         let [_, end] = t.ends_in_single();
-        Self { ray, wanted, t, end, found, path, memory, counts: InstanceCounts::default() }
+        let is_choosy = ray.ends() == Ends::Open || filter.is_by_triangle();
+        Self { ray, wanted, filter, is_choosy, t, end, found, path, memory, counts: InstanceCounts::default() }
     }
 
     /// Returns the start of the ray, rounded down.
@@ -190,8 +198,7 @@ impl<'s, V: Vector> Triangles<'s, V> {
     /// The exact test of a triangle.
     #[inline(always)]
     pub(super) fn settle(&mut self, held: &LeafTriangle<Triangle<V>>, search: &mut Search<'_, V>) {
-        // The ray meets the triangle that it leaves at 0. Bounds would need all stages to decide this.
-        if search.ray.leaves(&held.shape, || self.tracer.maps(&search.path)) {
+        if search.is_choosy && search.excludes(self.tracer, held) {
             return;
         }
         let (ray, region) = (self.ray, self.region);
@@ -212,6 +219,7 @@ impl<'s, V: Vector> Triangles<'s, V> {
         };
         if let Some(t) = t
             && (t < search.t || search.wanted == Wanted::All || comes_first(self.tracer, test, held, search))
+            && search.accepts(self.tracer, t, held, test)
         {
             search.take(t, held, test);
         }

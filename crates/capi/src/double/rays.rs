@@ -15,7 +15,7 @@ use crate::types::{Filter, Hit, Ray};
 pub unsafe extern "C" fn stackless_closest1_d(
     scene: *const Scene<DVec3>,
     ray: *const Ray<f64>,
-    filter: *const Filter<f64>,
+    filter: *const Filter<Ray<f64>, u32, Hit<f64>>,
     hit: *mut Hit<f64>,
 ) -> Error {
     answer(|| {
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn stackless_closest1_d(
 pub unsafe extern "C" fn stackless_any1_d(
     scene: *const Scene<DVec3>,
     ray: *const Ray<f64>,
-    filter: *const Filter<f64>,
+    filter: *const Filter<Ray<f64>, u32, Hit<f64>>,
     is_hit: *mut bool,
 ) -> Error {
     answer(|| {
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn stackless_any1_d(
 pub unsafe extern "C" fn stackless_all1_d(
     scene: *const Scene<DVec3>,
     ray: *const Ray<f64>,
-    filter: *const Filter<f64>,
+    filter: *const Filter<Ray<f64>, u32, Hit<f64>>,
     hits: *mut Hit<f64>,
     hit_stride: usize,
     capacity: usize,
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn stackless_closest_n_d(
     rays: *const Ray<f64>,
     ray_stride: usize,
     count: usize,
-    filters: *const Filter<f64>,
+    filters: *const Filter<Ray<f64>, u32, Hit<f64>>,
     filter_stride: usize,
     hits: *mut Hit<f64>,
     hit_stride: usize,
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn stackless_any_n_d(
     rays: *const Ray<f64>,
     ray_stride: usize,
     count: usize,
-    filters: *const Filter<f64>,
+    filters: *const Filter<Ray<f64>, u32, Hit<f64>>,
     filter_stride: usize,
     is_hit: *mut bool,
     is_hit_stride: usize,

@@ -15,7 +15,7 @@ use crate::types::{Filter, Hit, Ray};
 pub unsafe extern "C" fn stackless_closest1_f(
     scene: *const Scene<Vec3>,
     ray: *const Ray<f32>,
-    filter: *const Filter<f32>,
+    filter: *const Filter<Ray<f32>, u32, Hit<f32>>,
     hit: *mut Hit<f32>,
 ) -> Error {
     answer(|| {
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn stackless_closest1_f(
 pub unsafe extern "C" fn stackless_any1_f(
     scene: *const Scene<Vec3>,
     ray: *const Ray<f32>,
-    filter: *const Filter<f32>,
+    filter: *const Filter<Ray<f32>, u32, Hit<f32>>,
     is_hit: *mut bool,
 ) -> Error {
     answer(|| {
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn stackless_any1_f(
 pub unsafe extern "C" fn stackless_all1_f(
     scene: *const Scene<Vec3>,
     ray: *const Ray<f32>,
-    filter: *const Filter<f32>,
+    filter: *const Filter<Ray<f32>, u32, Hit<f32>>,
     hits: *mut Hit<f32>,
     hit_stride: usize,
     capacity: usize,
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn stackless_closest_n_f(
     rays: *const Ray<f32>,
     ray_stride: usize,
     count: usize,
-    filters: *const Filter<f32>,
+    filters: *const Filter<Ray<f32>, u32, Hit<f32>>,
     filter_stride: usize,
     hits: *mut Hit<f32>,
     hit_stride: usize,
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn stackless_any_n_f(
     rays: *const Ray<f32>,
     ray_stride: usize,
     count: usize,
-    filters: *const Filter<f32>,
+    filters: *const Filter<Ray<f32>, u32, Hit<f32>>,
     filter_stride: usize,
     is_hit: *mut bool,
     is_hit_stride: usize,

@@ -3,7 +3,9 @@ use glam::DVec3;
 use super::*;
 use crate::bvh::{Builder, SpatialOptions};
 use crate::generate::draw::{Draw, one_of};
-use crate::geom::Mesh;
+use crate::geom::{Mesh, Ray};
+use crate::trace::{InstanceTracer, RayQueries};
+use crate::traverse::Method;
 
 /// Returns options for every builder, one of which splits triangles.
 fn all_options() -> impl Iterator<Item = BuildOptions> {
@@ -64,4 +66,52 @@ fn what_leaves_the_range_depends_on_no_builder_in_single() {
 #[test]
 fn what_leaves_the_range_depends_on_no_builder_in_double() {
     what_leaves_the_range_depends_on_no_builder::<DVec3>(f64::MAX, &[1.0, 1e-3, 1e100, 1e-310, 1e200]);
+}
+
+/// Far away, where floats are coarse, the box is rounded outwards. [INST-2]
+#[test]
+fn bounds_contain_all_images() {
+    let mut draw = Draw::new(2);
+    for round in 0..200 {
+        let vertices: Vec<Vec3> = (0..9).map(|_| draw.centred()).collect();
+        let mesh = Mesh::new(vertices.clone(), vec![[0, 1, 2], [3, 4, 5], [6, 7, 8]]).expect("a mesh");
+        let far = draw.centred() * 1e6;
+        let mut assembly = Assembly::new();
+        let object = assembly.add_mesh(Bvh::build(&mesh).expect("a tree"));
+        let affine = AffineMap::translation(far).expect("a map");
+        let group = assembly.add_group(vec![Instance { object, affine }], &BuildOptions::default()).expect("a group");
+        let [lo, hi] = assembly.bounds(group).expect("bounds").map(|corner| corner.as_dvec3());
+        for v in vertices {
+            let image = v.as_dvec3() + far.as_dvec3();
+            assert!(lo.cmple(image).all() && image.cmple(hi).all(), "{round}: {image} is not in {lo} to {hi}");
+        }
+        assert!((hi - lo).max_element() < 3.0, "{round}: {lo} to {hi}");
+    }
+}
+
+/// Objects with equal numbers in two assemblies stay different objects in a third one. [INST-6]
+#[test]
+fn appended_objects_are_those_that_they_were() {
+    let place = |object| Instance { object, affine: AffineMap::IDENTITY };
+    let group = |assembly: &mut Assembly, objects: &[Object]| {
+        let placed = objects.iter().map(|&object| place(object)).collect();
+        assembly.add_group(placed, &BuildOptions::default()).expect("a group")
+    };
+    let [first, second] = [1.0, 2.0].map(|height| {
+        let vertices = [Vec3::ZERO, Vec3::X, Vec3::Y].map(|v| v + Vec3::Z * height).to_vec();
+        let mesh = Mesh::new(vertices, vec![[0, 1, 2]]).expect("a mesh");
+        let mut assembly = Assembly::new();
+        let object = assembly.add_mesh(Bvh::build(&mesh).expect("a tree"));
+        let group = group(&mut assembly, &[object]);
+        (assembly, group)
+    });
+    let mut both = Assembly::new();
+    let [low, high] = [first, second].map(|(assembly, group)| both.append(&assembly)(group));
+    let root = group(&mut both, &[high, low]);
+    assert_eq!((both.levels(root), both.bounds(root)), (3, Some([Vec3::Z, Vec3::new(1.0, 1.0, 2.0)])));
+    let tracer = InstanceTracer::new(&both, root, Method::default()).expect("any tree");
+    let ray = Ray::new(Vec3::new(0.25, 0.25, 0.0), Vec3::Z).expect("a ray");
+    let hits: Vec<_> = tracer.all(&ray).into_iter().map(|hit| (hit.path, hit.t)).collect();
+    assert_eq!(hits, [(vec![1, 0], 1.0), (vec![0, 0], 2.0)]);
+    assert!(both.bounds(Object(9)).is_none());
 }
