@@ -252,8 +252,8 @@ fn paths_are_those_of_rational_arithmetic<V: Precision>(scenes: &[Scene<V>]) {
 
 /// The closest accepted hit is the first accepted one of all hits, also of rays that leave a triangle. `[FILTER-1]`
 fn check_filtered<V: Precision>(tracers: &[InstanceTracer<V>], ray: &ExactRay<V>, expected: &[Hit<'_, V::Real>]) {
-    let by_triangle = |path: &[u32], prim: u32| (path.iter().sum::<u32>() + prim) % 3 != 0;
-    let by_hit = |hit: &InstanceHit<V::Real>| hit.u <= hit.v || hit.prim % 4 == 0;
+    let by_triangle = |path: &[u32], prim: u32| !(path.iter().sum::<u32>() + prim).is_multiple_of(3);
+    let by_hit = |hit: &InstanceHit<V::Real>| hit.u <= hit.v || hit.prim.is_multiple_of(4);
     let accepted = expected.iter().map(|(t, path, prim, [u, v], _)| InstanceHit {
         path: path.to_vec(),
         prim: *prim,

@@ -112,7 +112,7 @@ public:
             moving.held->refit(meshes_[kind % MOVING].vertices[moving.state]);
             counts[REFIT]++;
         } else if (draw < 96) {
-            const stackless_options options = {below(random, 4) + 0u, 2u * below(random, 2)};
+            const stackless_options options = {below(random, STACKLESS_QUALITY_SPATIAL + 1) + 0u, 2u * below(random, 2)};
             compare(random, kind, state, scene(of.vertices[state], of.faces, options));
             counts[BUILD]++;
         } else if (draw < 98) {

@@ -102,7 +102,7 @@ template <class Real> static void run(const std::string& file)
                                    {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
     const std::vector<map> twice = {{{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}}}};
     const instances row({instances::of(made)}, {0, 0}, maps);
-    const instances nest({instances::of(row)}, {0}, twice, {STACKLESS_QUALITY_FAST, 1});
+    const instances nest({instances::of(row)}, {0}, twice, {STACKLESS_QUALITY_HIGH, 1});
     const auto lowest = nest.closest(up);
     CHECK(lowest->t == 1 && lowest->face == 0 && lowest->levels == 2 && lowest->path[0] == 0 && lowest->path[1] == 1);
     CHECK(nest.all(up).size() == 4 && nest.any(up) && !nest.any(away) && !nest.closest(away));

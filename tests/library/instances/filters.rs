@@ -5,12 +5,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::generate::Rng;
+use stackless_bvh::geom::Vector;
 use stackless_bvh::trace::{InstanceFilter, InstanceHit, InstanceTracer, RayQueries};
 use stackless_bvh::traverse::Method;
 use stackless_check::{InstanceOracle, check_answer};
 
 use super::scenes::{self, Kind};
 use super::{assembly, hierarchies, rays, wide};
+
+/// A filter as a function of hits.
+type Accepts<'a, V> = &'a dyn Fn(&InstanceHit<<V as Vector>::Real>) -> bool;
 
 /// By triangle, by hit, by triangle and hit: every query over binary and wide meshes. `[INST-6]`
 fn accepted_hits_are_those_of_rational_arithmetic<V: Kind>() {
@@ -25,13 +29,13 @@ fn accepted_hits_are_those_of_rational_arithmetic<V: Kind>() {
             let (assembly, root) = assembly(&built, scene);
             InstanceTracer::new(&assembly, root, method).expect("any tree")
         });
-        let by_triangle = |path: &[u32], prim: u32| (path.iter().sum::<u32>() + prim) % 3 != 0;
+        let by_triangle = |path: &[u32], prim: u32| !(path.iter().sum::<u32>() + prim).is_multiple_of(3);
         let by_hit = |hit: &InstanceHit<V::Real>| hit.u <= hit.v;
         for ray in rays(&flat, &mut rng, 100) {
             let all = flat.all(&ray);
             let is_first = |hit: &InstanceHit<V::Real>| Some(hit) == all.first();
             let by_order = |hit: &InstanceHit<V::Real>| !is_first(hit);
-            let filters: [(_, &dyn Fn(&InstanceHit<V::Real>) -> bool); 4] = [
+            let filters: [(_, Accepts<'_, V>); 4] = [
                 (InstanceFilter::ALL.triangles(&by_triangle), &|hit| by_triangle(&hit.path, hit.prim)),
                 (InstanceFilter::ALL.hits(&by_hit), &by_hit),
                 (InstanceFilter::ALL.hits(&by_order), &by_order),

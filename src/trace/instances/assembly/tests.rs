@@ -80,7 +80,7 @@ fn bounds_contain_all_images() {
         let object = assembly.add_mesh(Bvh::build(&mesh).expect("a tree"));
         let affine = AffineMap::translation(far).expect("a map");
         let group = assembly.add_group(vec![Instance { object, affine }], &BuildOptions::default()).expect("a group");
-        let [lo, hi] = assembly.bounds(group).expect("bounds").map(|corner| corner.as_dvec3());
+        let [lo, hi] = assembly.bounds(group).expect("bounds").map(Vec3::as_dvec3);
         for v in vertices {
             let image = v.as_dvec3() + far.as_dvec3();
             assert!(lo.cmple(image).all() && image.cmple(hi).all(), "{round}: {image} is not in {lo} to {hi}");
