@@ -162,7 +162,7 @@ fn the_default_is_the_fastest_traversal_that_is_as_exact_as_asked() {
         ("--single", "by wide-record, exact, in single precision"),
         ("--single --accuracy fast", "by afra, fast, in single precision"),
         ("--single --accuracy exact --method hashed", "by hashed, exact, in single precision"),
-        ("--single --method wide-stack --build fast", "by wide-stack, exact, in single precision"),
+        ("--single --method wide-stack --build best", "by wide-stack, exact, in single precision"),
     ] {
         let run = stackless(&format!("trace soup {options} --rays"), &[&rays, Path::new("-o"), &out]);
         assert!(run.code == Some(0) && run.stdout.contains(by), "{run:?}");
