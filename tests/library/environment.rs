@@ -95,7 +95,7 @@ fn told<A, E: ToString>(made: Result<A, E>) -> Result<(), String> {
 }
 
 /// Functions that build objects from numbers, and must fail on an invalid thread: constructors by file, then methods.
-const CHECKED: [(&str, Make); 24] = [
+const CHECKED: [(&str, Make); 25] = [
     ("bvh/build/mod.rs: median", |well| told(Bvh::median(&well.mesh, 2))),
     ("bvh/build/mod.rs: sah", |well| told(Bvh::sah(&well.mesh, SahOptions::default()))),
     ("bvh/build/mod.rs: build", |well| told(Bvh::build(&well.mesh))),
@@ -110,6 +110,10 @@ const CHECKED: [(&str, Make); 24] = [
     ("geom/ball.rs: new", |_| told(Ball::new(Vec3::ZERO, 1.0))),
     ("geom/exact_ray.rs: new", |_| told(ExactPoint::new(Vec3::ZERO))),
     ("geom/mesh.rs: new", |well| told(Mesh::new(well.mesh.vertices().to_vec(), well.mesh.triangles().to_vec()))),
+    ("geom/ray.rs: collect", |_| {
+        let rays = Ray::collect([(Vec3::ZERO, Vec3::X, 0.0, 1.0)]);
+        told(rays.map_err(|(_, error)| error))
+    }),
     ("geom/ray.rs: new", |_| told(Ray::new(Vec3::ZERO, Vec3::X))),
     ("geom/ray.rs: within", |_| told(Ray::within(Vec3::ZERO, Vec3::X, 0.0, 1.0))),
     ("trace/binary.rs: of", |well| told(<BinaryTracer>::of(&well.mesh))),
