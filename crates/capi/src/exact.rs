@@ -37,10 +37,10 @@ pub(crate) type Answers<V, H> = Vec<(H, Option<Point<V>>)>;
 /// A scene or instances, for exact rays.
 pub(crate) trait Exact<V: Precision>: Sync {
     /// A face that a filter skips.
-    type Skip: Sync;
+    type Skip: Copy + Sync;
 
     /// A hit in the format of C.
-    type Hit: Send;
+    type Hit: Copy + Send;
 
     fn tracer(&self) -> Result<&InstanceTracer<V>, Fault>;
 

@@ -1,7 +1,7 @@
 //! The library for C and C++. Its documentation is `include/stackless.h`, which cbindgen generates from this crate.
 //!
-//! [`double`] and [`single`] have the functions that C calls. [`memory`] and [`filters`], the only other modules with
-//! `unsafe`, convert their pointers to values. The functions then call [`queries`], [`exact`], [`scene`] and
+//! [`double`] and [`single`] have the functions that C calls. [`memory`], [`filters`] and [`ways`], the only other
+//! modules with `unsafe`, convert their pointers to values. The functions then call [`queries`], [`exact`], [`scene`] and
 //! [`instances`](mod@instances), which are safe.
 
 #![deny(unsafe_code)]
@@ -21,6 +21,8 @@ mod scene;
 #[allow(unsafe_code, reason = "C calls it, with pointers")]
 pub mod single;
 mod types;
+#[allow(unsafe_code, reason = "reads the points of rays through the pointers of the caller")]
+mod ways;
 
 pub use border::stackless_error_message;
 pub use error::Error;

@@ -5,13 +5,14 @@ use std::ptr;
 use glam::Vec3;
 
 use crate::border::answer;
-use crate::error::{Error, Fault};
-use crate::exact::{Answers, Exact as _, Point, Way};
+use crate::error::Error;
+use crate::exact::Point;
 use crate::filters::Filters;
 use crate::instances::Instances;
-use crate::memory::{In, Out, exclusive, room, shared};
+use crate::memory::{In, Out, exclusive, shared};
 use crate::scene::Scene;
 use crate::types::{ExactRay, Filter, Hit, InstanceHit, Ray, STACKLESS_SERIAL};
+use crate::ways::{self, Points, boxed};
 
 /// Creates an exact point from three numbers. `*point` is null after an error.
 #[unsafe(no_mangle)]
@@ -71,15 +72,11 @@ pub unsafe extern "C" fn stackless_exact_closest1_f(
     hit: *mut Hit<f32>,
     point: *mut *mut Point<Vec3>,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (scene, way, mut hit, mut made) = unsafe {
-            let mut made = if point.is_null() { None } else { Some(Out::one("point", point)?) };
-            clear(&mut made);
-            (shared(scene, "scene")?, one(ray, filter)?, Out::one("hit", hit)?, made)
-        };
-        write(scene.exact_closest(&[way], made.is_some(), STACKLESS_SERIAL)?, &mut hit, &mut made);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let point = Points::null(if point.is_null() { None } else { Some(Out::one("point", point)?) });
+        let (ray, filter) = (In::one("ray", ray)?, Filters::new(filter, 0, 1)?);
+        ways::closest(shared(scene, "scene")?, &ray, &filter, Out::one("hit", hit)?, point, STACKLESS_SERIAL)
     })
 }
 
@@ -92,12 +89,10 @@ pub unsafe extern "C" fn stackless_exact_any1_f(
     filter: *const Filter<ExactRay<f32, Vec3>, u32, Hit<f32>>,
     is_hit: *mut bool,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (scene, way, mut is_hit) =
-            unsafe { (shared(scene, "scene")?, one(ray, filter)?, Out::one("is_hit", is_hit)?) };
-        is_hit.fill(&scene.exact_any(&[way], STACKLESS_SERIAL)?);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let (ray, filter) = (In::one("ray", ray)?, Filters::new(filter, 0, 1)?);
+        ways::any(shared(scene, "scene")?, &ray, &filter, Out::one("is_hit", is_hit)?, STACKLESS_SERIAL)
     })
 }
 
@@ -117,16 +112,14 @@ pub unsafe extern "C" fn stackless_exact_closest_n_f(
     point_stride: usize,
     flags: u32,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (scene, ways, mut hits, mut made) = unsafe {
-            let mut made = if points.is_null() { None } else { Some(Out::new("points", points, point_stride, count)?) };
-            clear(&mut made);
-            let ways = several(rays, ray_stride, count, filters, filter_stride)?;
-            (shared(scene, "scene")?, ways, Out::new("hits", hits, hit_stride, count)?, made)
-        };
-        write(scene.exact_closest(&ways, made.is_some(), flags)?, &mut hits, &mut made);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let wanted = if points.is_null() { None } else { Some(Out::new("points", points, point_stride, count)?) };
+        let points = Points::null(wanted);
+        let rays = In::new("rays", rays, ray_stride, count)?;
+        let filters = Filters::new(filters, filter_stride, count)?;
+        let hits = Out::new("hits", hits, hit_stride, count)?;
+        ways::closest(shared(scene, "scene")?, &rays, &filters, hits, points, flags)
     })
 }
 
@@ -143,14 +136,12 @@ pub unsafe extern "C" fn stackless_exact_any_n_f(
     is_hit_stride: usize,
     flags: u32,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (scene, ways, mut is_hit) = unsafe {
-            let ways = several(rays, ray_stride, count, filters, filter_stride)?;
-            (shared(scene, "scene")?, ways, Out::new("is_hit", is_hit, is_hit_stride, count)?)
-        };
-        is_hit.fill(&scene.exact_any(&ways, flags)?);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let rays = In::new("rays", rays, ray_stride, count)?;
+        let filters = Filters::new(filters, filter_stride, count)?;
+        let is_hit = Out::new("is_hit", is_hit, is_hit_stride, count)?;
+        ways::any(shared(scene, "scene")?, &rays, &filters, is_hit, flags)
     })
 }
 
@@ -164,15 +155,11 @@ pub unsafe extern "C" fn stackless_instances_exact_closest1_f(
     hit: *mut InstanceHit<f32>,
     point: *mut *mut Point<Vec3>,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (instances, way, mut hit, mut made) = unsafe {
-            let mut made = if point.is_null() { None } else { Some(Out::one("point", point)?) };
-            clear(&mut made);
-            (shared(instances, "instances")?, one(ray, filter)?, Out::one("hit", hit)?, made)
-        };
-        write(instances.exact_closest(&[way], made.is_some(), STACKLESS_SERIAL)?, &mut hit, &mut made);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let point = Points::null(if point.is_null() { None } else { Some(Out::one("point", point)?) });
+        let (ray, filter) = (In::one("ray", ray)?, Filters::new(filter, 0, 1)?);
+        ways::closest(shared(instances, "instances")?, &ray, &filter, Out::one("hit", hit)?, point, STACKLESS_SERIAL)
     })
 }
 
@@ -184,12 +171,10 @@ pub unsafe extern "C" fn stackless_instances_exact_any1_f(
     filter: *const Filter<ExactRay<f32, Vec3>, InstanceHit<f32>, InstanceHit<f32>>,
     is_hit: *mut bool,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (instances, way, mut is_hit) =
-            unsafe { (shared(instances, "instances")?, one(ray, filter)?, Out::one("is_hit", is_hit)?) };
-        is_hit.fill(&instances.exact_any(&[way], STACKLESS_SERIAL)?);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let (ray, filter) = (In::one("ray", ray)?, Filters::new(filter, 0, 1)?);
+        ways::any(shared(instances, "instances")?, &ray, &filter, Out::one("is_hit", is_hit)?, STACKLESS_SERIAL)
     })
 }
 
@@ -208,16 +193,14 @@ pub unsafe extern "C" fn stackless_instances_exact_closest_n_f(
     point_stride: usize,
     flags: u32,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (instances, ways, mut hits, mut made) = unsafe {
-            let mut made = if points.is_null() { None } else { Some(Out::new("points", points, point_stride, count)?) };
-            clear(&mut made);
-            let ways = several(rays, ray_stride, count, filters, filter_stride)?;
-            (shared(instances, "instances")?, ways, Out::new("hits", hits, hit_stride, count)?, made)
-        };
-        write(instances.exact_closest(&ways, made.is_some(), flags)?, &mut hits, &mut made);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let wanted = if points.is_null() { None } else { Some(Out::new("points", points, point_stride, count)?) };
+        let points = Points::null(wanted);
+        let rays = In::new("rays", rays, ray_stride, count)?;
+        let filters = Filters::new(filters, filter_stride, count)?;
+        let hits = Out::new("hits", hits, hit_stride, count)?;
+        ways::closest(shared(instances, "instances")?, &rays, &filters, hits, points, flags)
     })
 }
 
@@ -234,89 +217,11 @@ pub unsafe extern "C" fn stackless_instances_exact_any_n_f(
     is_hit_stride: usize,
     flags: u32,
 ) -> Error {
-    answer(|| {
-        // SAFETY: the header states the requirements of these functions.
-        let (instances, ways, mut is_hit) = unsafe {
-            let ways = several(rays, ray_stride, count, filters, filter_stride)?;
-            (shared(instances, "instances")?, ways, Out::new("is_hit", is_hit, is_hit_stride, count)?)
-        };
-        is_hit.fill(&instances.exact_any(&ways, flags)?);
-        Ok(())
+    // SAFETY: the header states the requirements of these functions.
+    answer(|| unsafe {
+        let rays = In::new("rays", rays, ray_stride, count)?;
+        let filters = Filters::new(filters, filter_stride, count)?;
+        let is_hit = Out::new("is_hit", is_hit, is_hit_stride, count)?;
+        ways::any(shared(instances, "instances")?, &rays, &filters, is_hit, flags)
     })
-}
-
-/// Reads an exact ray.
-///
-/// # Safety
-/// See [`way`].
-unsafe fn one<'a, S: Copy, H: Copy>(
-    ray: *const ExactRay<f32, Vec3>,
-    filter: *const Filter<ExactRay<f32, Vec3>, S, H>,
-) -> Result<Way<'a, Vec3, S, H>, Fault> {
-    // SAFETY: the caller guarantees the requirements.
-    unsafe { way(&In::one("ray", ray)?, &Filters::new(filter, 0, 1)?, 0) }
-}
-
-/// Reads exact rays.
-///
-/// # Safety
-/// See [`way`].
-unsafe fn several<'a, S: Copy, H: Copy>(
-    rays: *const ExactRay<f32, Vec3>,
-    ray_stride: usize,
-    count: usize,
-    filters: *const Filter<ExactRay<f32, Vec3>, S, H>,
-    filter_stride: usize,
-) -> Result<Vec<Way<'a, Vec3, S, H>>, Fault> {
-    // SAFETY: the caller guarantees the requirements.
-    unsafe {
-        let (rays, filters) = (In::new("rays", rays, ray_stride, count)?, Filters::new(filters, filter_stride, count)?);
-        let mut ways = room(count)?;
-        for index in 0..count {
-            ways.push(way(&rays, &filters, index)?);
-        }
-        Ok(ways)
-    }
-}
-
-/// Reads an exact ray of an array, and its filter.
-///
-/// # Safety
-/// See [`shared`], for the points of the rays.
-unsafe fn way<'a, S: Copy, H: Copy>(
-    rays: &In<'a, ExactRay<f32, Vec3>>,
-    filters: &Filters<'_, ExactRay<f32, Vec3>, S, H>,
-    index: usize,
-) -> Result<Way<'a, Vec3, S, H>, Fault> {
-    let (element, filter) = (rays.element(index), filters.get(index, rays)?);
-    let ExactRay { origin, target, direction, tmax, is_closed } = rays.get(index);
-    // SAFETY: the caller guarantees the requirements.
-    let points = unsafe {
-        let point = |point, name| shared(point, name).map_err(|fault| fault.within(element));
-        (point(origin, "origin")?, if target.is_null() { None } else { Some(point(target, "target")?) })
-    };
-    let (origin, target) = points;
-    Ok(Way { origin, target, direction, tmax, is_closed, filter, element })
-}
-
-/// Writes null to all elements.
-fn clear(points: &mut Option<Out<'_, *mut Point<Vec3>>>) {
-    if let Some(points) = points {
-        for index in 0..points.count() {
-            points.set(index, ptr::null_mut());
-        }
-    }
-}
-
-fn write<H: Copy>(answers: Answers<Vec3, H>, hits: &mut Out<'_, H>, points: &mut Option<Out<'_, *mut Point<Vec3>>>) {
-    for (index, (hit, point)) in answers.into_iter().enumerate() {
-        hits.set(index, hit);
-        if let (Some(points), Some(point)) = (&mut *points, point) {
-            points.set(index, boxed(point));
-        }
-    }
-}
-
-fn boxed(point: Point<Vec3>) -> *mut Point<Vec3> {
-    Box::into_raw(Box::new(point))
 }
