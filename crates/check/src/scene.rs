@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::random::Progress;
 use super::{Plan, Tally, Verdict};
-use stackless_bvh::bvh::Bvh;
+use stackless_bvh::bvh::{Bvh, BvhTree};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs, Triangle, Vector};
 use stackless_bvh::hash::mix;
@@ -15,7 +15,7 @@ use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Flow, LeftOrder, SignOrder};
 use stackless_bvh::trace::{FromLeft, Hit, NodeSearch, Query, Truth};
-use stackless_bvh::traverse::{AuxTables, Method, Tables, Test, Unsupported, WordName};
+use stackless_bvh::traverse::{AuxTables, Method, Tables, Test, Unsupported, VerifiedTables, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy of a mesh, with the data for its check.
@@ -68,9 +68,9 @@ impl<'m, V: Vector> SceneTree<'m, V> {
         &self,
         ray: &Ray<V>,
         any: bool,
-        run: impl FnOnce(&mut dyn Query, &mut Watch<'_, V>) -> Result<(), Unsupported>,
+        run: impl FnOnce(&mut dyn Query, &mut Watch<'_>) -> Result<(), Unsupported>,
     ) -> Result<(Seen<V::Real>, u64), Unsupported> {
-        let mut watch = Watch { scene: self, seen: Seen::default(), steps: 0 };
+        let mut watch = Watch::new(self.bvh.tree(), &self.keys);
         let hit = if any {
             let mut search = NodeSearch::<K, B, true, FromLeft>::new(self.bvh, &self.boxes, ray);
             run(&mut search, &mut watch)?;
@@ -80,7 +80,8 @@ impl<'m, V: Vector> SceneTree<'m, V> {
             run(&mut search, &mut watch)?;
             search.hit()
         };
-        Ok((Seen { hit, ..watch.seen }, watch.steps))
+        let Watch { visits, hash, wrong_keys, steps, .. } = watch;
+        Ok((Seen { hit, visits, hash, wrong_keys }, steps))
     }
 
     /// Runs and records the oracle of a test.
@@ -90,18 +91,8 @@ impl<'m, V: Vector> SceneTree<'m, V> {
         any: bool,
         test: Test,
     ) -> Seen<V::Real> {
-        let (tree, octant) = (self.bvh.tree(), ray.octant());
-        let seen = self.see::<K, B>(ray, any, |mut query, watch| {
-            match test {
-                Test::Children | Test::Disjoint | Test::Distance => {
-                    oracle::traverse_pruned(tree, tree.root(), test.pruning(), &mut query, watch);
-                }
-                Test::NodeLeftFirst => oracle::traverse(tree, &mut ByNode { test: query, order: LeftOrder }, watch),
-                Test::NodeBySign => {
-                    let order = SignOrder { axes: tree.axes(), octant };
-                    oracle::traverse(tree, &mut ByNode { test: query, order }, watch);
-                }
-            }
+        let seen = self.see::<K, B>(ray, any, |query, watch| {
+            run_oracle(self.bvh.tree(), test, ray.octant(), query, watch);
             Ok(())
         });
         seen.map(|(seen, _)| seen).unwrap_or_default()
@@ -152,8 +143,8 @@ where
                 }
             }
             for &(method, word) in &pairs {
-                let seen = scene.see::<K, B>(&ray, any, |mut query, watch| {
-                    tables.run_in(word, method, ray.octant(), &mut memory, &mut query, watch)
+                let seen = scene.see::<K, B>(&ray, any, |query, watch| {
+                    run(&tables, (method, word), ray.octant(), &mut memory, query, watch)
                 });
                 let verdict = match seen {
                     Err(unfit) => Verdict::Refused(unfit),
@@ -185,22 +176,57 @@ fn agrees<R: PartialEq>(method: Method, any: bool, expected: Seen<R>, seen: Seen
     if changing { expected.hit == seen.hit } else { expected == seen }
 }
 
+/// Runs the oracle of a test. Like [`run`], it is compiled once for all kernels.
+fn run_oracle(tree: &BvhTree, test: Test, octant: u8, mut query: &mut dyn Query, watch: &mut Watch<'_>) {
+    match test {
+        Test::Children | Test::Disjoint | Test::Distance => {
+            oracle::traverse_pruned(tree, tree.root(), test.pruning(), &mut query, watch);
+        }
+        Test::NodeLeftFirst => oracle::traverse(tree, &mut ByNode { test: query, order: LeftOrder }, watch),
+        Test::NodeBySign => {
+            let order = SignOrder { axes: tree.axes(), octant };
+            oracle::traverse(tree, &mut ByNode { test: query, order }, watch);
+        }
+    }
+}
+
+/// Runs a traversal. The compiler makes hundreds of functions of this one.
+fn run(
+    tables: &VerifiedTables<'_, BvhTree>,
+    (method, word): (Method, WordName),
+    octant: u8,
+    memory: &mut Vec<Node>,
+    mut query: &mut dyn Query,
+    watch: &mut Watch<'_>,
+) -> Result<(), Unsupported> {
+    tables.run_in(word, method, octant, memory, &mut query, watch)
+}
+
 /// Hashes the visits and checks the keys.
-struct Watch<'a, V: Vector> {
-    scene: &'a SceneTree<'a, V>,
-    seen: Seen<V::Real>,
+struct Watch<'a> {
+    tree: &'a BvhTree,
+    keys: &'a Keys,
+    visits: u64,
+    hash: u64,
+    wrong_keys: u64,
     steps: u64,
 }
 
-impl<V: Vector> Recorder for Watch<'_, V> {
+impl<'a> Watch<'a> {
+    fn new(tree: &'a BvhTree, keys: &'a Keys) -> Self {
+        Self { tree, keys, visits: 0, hash: 0, wrong_keys: 0, steps: 0 }
+    }
+}
+
+impl Recorder for Watch<'_> {
     fn visit<W: KeyWord>(&mut self, node: Node, state: impl FnOnce() -> State<W>) -> Flow {
         self.steps += 1;
-        let (slot, state) = (self.scene.bvh.slot(node), state());
+        let (slot, state) = (self.tree.slot(node), state());
         if !state.is_restarting {
-            self.seen.visits += 1;
-            self.seen.hash = mix(self.seen.hash ^ slot as u64);
+            self.visits += 1;
+            self.hash = mix(self.hash ^ slot as u64);
         }
-        self.seen.wrong_keys += u64::from(state.key.is_some_and(|key| !self.scene.keys.is(slot, &key)));
+        self.wrong_keys += u64::from(state.key.is_some_and(|key| !self.keys.is(slot, &key)));
         Flow::Continue
     }
 }

@@ -1,7 +1,7 @@
 //! The cost of calls from C: closest and any hits of equal rays in Rust and through `libstackless.so`, interleaved, in
 //! processor time of this thread. Prints shares of the speed of Rust.
 //!
-//! `cargo run --release -p stackless-capi --example overhead -- target/release/libstackless.so`
+//! `cargo bench -p stackless-capi --bench overhead -- target/release/libstackless.so`
 
 #![allow(unsafe_code, reason = "it calls C")]
 #![allow(clippy::needless_for_each, clippy::semicolon_if_nothing_returned, reason = "a loop in a line each")]
