@@ -10,7 +10,8 @@ use gungraun::{Callgrind, EventKind};
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{BinaryTracer, RayQueries, bounce};
+use stackless_bvh::internals::trace::bounce;
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::Recorded;
 

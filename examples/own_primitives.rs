@@ -4,8 +4,10 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{Bounded, Bvh};
-use stackless_bvh::geom::slabs::Directed;
-use stackless_bvh::geom::{Aabb, Kernel, Ray, Region};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::internals::geom::Region;
+use stackless_bvh::internals::geom::slabs::Directed;
 use stackless_bvh::trace::BinaryTracer;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::Topology;

@@ -4,9 +4,9 @@
 //! nodes; its [`events`](Trace::events) are the sequence of (key, enter | leaf | backtrack n | end) by which
 //! implementations are compared. With `()` as the recorder, nothing is recorded and recording has no cost.
 
-mod backtracks;
+pub(crate) mod backtracks;
 
-pub use backtracks::{Backtracks, Source};
+pub(crate) use backtracks::Backtracks;
 
 use alloc::vec::Vec;
 

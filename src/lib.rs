@@ -39,6 +39,7 @@
 //! | [`wide`] | trees of 2, 4 or 8 children per node, and their traversals |
 //! | `generate` | trees, decision tapes, sources of choices, scenes (feature `generate`) |
 //! | [`geom`], [`bvh`], [`trace`] | rays, hierarchies, queries (feature `rays`; by all threads with `parallel`) |
+//! | `internals` | parts for this project's own crates, without a promise (feature `internals`) |
 //!
 //! All modules before `geom` in this table are `no_std` with `alloc`, and independent of geometry.
 //!
@@ -70,6 +71,17 @@
 //! ```
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
+// What only this project's own crates use, such as the kernels that `bench` compares, is not reachable without features.
+#![cfg_attr(
+    not(all(feature = "generate", feature = "internals", feature = "parallel")),
+    allow(
+        dead_code,
+        unreachable_pub,
+        unused_imports,
+        clippy::trivially_copy_pass_by_ref,
+        clippy::wrong_self_convention
+    )
+)]
 
 extern crate alloc;
 
@@ -77,6 +89,8 @@ pub mod event;
 #[cfg(any(test, feature = "generate"))]
 pub mod generate;
 pub mod hash;
+#[cfg(feature = "internals")]
+pub mod internals;
 pub mod key;
 pub mod name;
 pub mod oracle;

@@ -5,7 +5,7 @@ use glam::DVec3;
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, SahOptions, SpatialOptions, WideBvh};
 use stackless_bvh::generate::Source;
-use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::Precision;
 use stackless_bvh::geom::{AffineMap, Ends, Mesh, Ray, Real, Triangle};
 use stackless_bvh::hash::checksum;
 use stackless_bvh::trace::{Assembly, InstanceError, InstanceTracer, RayQueries, Tracer};

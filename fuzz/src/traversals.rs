@@ -3,11 +3,11 @@
 use arbitrary::Unstructured;
 use stackless_bvh::event::{Event, Trace};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, Tape, shape};
-use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Remainder, Sizing, certify};
+use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing, certify};
+use stackless_bvh::internals::hash::{AddressBounds, Remainder};
+use stackless_bvh::internals::traverse::{AuxTables, ByWalk, PieceTable};
 use stackless_bvh::key::{self, Grow, KeyWord};
-use stackless_bvh::traverse::{
-    AuxTables, ByWalk, Cuts, KeyTrail, Method, Next, Paused, PieceTable, States, Unsupported, WordName,
-};
+use stackless_bvh::traverse::{Cuts, KeyTrail, Method, Next, Paused, States, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Linked, Node, Reach, Topology, Tree};
 use stackless_bvh::{oracle, trail};
 use stackless_check::{

@@ -5,7 +5,8 @@ use std::fmt;
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{BinaryTracer, RayQueries, reflect_each};
+use stackless_bvh::internals::trace::reflect_each;
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
 
 use crate::kernel::{Kernel, SLOTS, Traversal, Wide};
 use crate::launch::{self, Buffers, params};

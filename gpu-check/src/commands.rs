@@ -21,7 +21,8 @@ use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::PerfectHash;
-use stackless_bvh::trace::{BinaryTracer, RayQueries, bounce};
+use stackless_bvh::internals::trace::bounce;
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
 use stackless_bvh::tree::Topology as _;
 use stackless_suite::serve;
 

@@ -12,8 +12,9 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
-use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::{EnvironmentError, Kernel as _, Ray};
+use stackless_bvh::geom::Kernel as _;
+use stackless_bvh::geom::{EnvironmentError, Ray};
+use stackless_bvh::internals::geom::kernel::Exact;
 use stackless_bvh::trace::{BinaryTracer, Hit, RayQueries};
 
 use crate::kernel::Kernel;
@@ -143,7 +144,7 @@ mod tests {
 
     use glam::{DVec3, Vec3};
     use stackless_bvh::generate::{Rng, Source as _};
-    use stackless_bvh::geom::kernel::Accumulator;
+    use stackless_bvh::internals::geom::kernel::Accumulator;
 
     use super::{Arithmetic, EDGE_FACTOR, floor};
 

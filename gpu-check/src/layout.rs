@@ -2,7 +2,8 @@
 
 use stackless_bvh::generate::Tape;
 use stackless_bvh::geom::Triangle;
-use stackless_bvh::hash::{BuildError, KeySet, Mix, Options, PerfectHash, Sizing};
+use stackless_bvh::hash::Mix;
+use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::tree::{Node, Parents, Reach, Topology, Tree, Uncles};
 
 use crate::kernel::{Links, Table};

@@ -1,6 +1,7 @@
 //! Perfect hash tables, built on the device and certified on the CPU.
 
-use stackless_bvh::hash::{AddressBounds, KeySet, Options, PerfectHash, Sizing, certify};
+use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing, certify};
+use stackless_bvh::internals::hash::AddressBounds;
 use stackless_bvh::tree::{Keys, Node, Topology};
 
 use crate::launch::groups;

@@ -18,7 +18,8 @@ use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{Exhaustive, Family, Rng, procedural};
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
-use stackless_bvh::trace::{BinaryTracer, RayQueries, bounce};
+use stackless_bvh::internals::trace::bounce;
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
 use stackless_bvh::tree::Topology as _;
 
 fn gpu() -> Gpu {

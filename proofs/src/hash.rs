@@ -1,8 +1,7 @@
 //! The perfect hash: remainders, addresses, lookups, bytes, the certificate.
 
-use stackless_bvh::hash::{
-    AddressBounds, KeySet, Lookup, Modulo, PerfectHash, Reciprocal, Remainder, TableSize, certify,
-};
+use stackless_bvh::hash::{KeySet, Lookup, PerfectHash, certify};
+use stackless_bvh::internals::hash::{AddressBounds, Modulo, Reciprocal, Remainder, TableSize};
 use stackless_bvh::tree::{Node, Tree};
 
 use crate::harness::{claim, harnesses};

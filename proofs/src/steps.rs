@@ -11,7 +11,8 @@ mod machine;
 
 use stackless_bvh::hash::Lookup;
 use stackless_bvh::order::{Descent, Side};
-use stackless_bvh::traverse::{Afra, Disjoint, HashOnly, Hashed, Incomplete, Next, Pause, Paused, Sparse, Uncle};
+use stackless_bvh::traverse::Disjoint;
+use stackless_bvh::traverse::{Afra, HashOnly, Hashed, Incomplete, Next, Pause, Paused, Sparse, Uncle};
 use stackless_bvh::tree::Node;
 
 use crate::bits::Full;

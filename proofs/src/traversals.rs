@@ -11,9 +11,10 @@ use alloc::vec::Vec;
 
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Pruned, Pruning};
+use stackless_bvh::traverse::Disjoint;
 use stackless_bvh::traverse::{
-    Afra, ByKey, Cursor, Disjoint, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine,
-    LeftFirst, Skip, Skips, Sparse, Stack, Uncle, traverse, traverse_pruned,
+    Afra, ByKey, Cursor, Hapala, HashOnly, Hashed, ImplicitA, ImplicitA1, ImplicitB, ImplicitB1, Laine, LeftFirst,
+    Skip, Skips, Sparse, Stack, Uncle, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::Topology;
 

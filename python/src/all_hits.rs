@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
-use stackless_bvh::geom::truth::{Meeting, Place, Point, meet};
 use stackless_bvh::geom::{Mesh, Ray, Vector, check_environment};
+use stackless_bvh::internals::geom::truth::{Meeting, Place, Point, meet};
 use stackless_bvh::trace::Hit;
 
 use crate::arrays::Rays;

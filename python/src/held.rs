@@ -3,8 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{Builder, Stored};
+use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::Mesh;
+use stackless_bvh::internals::bvh::Stored;
 use stackless_bvh::trace::Boundary;
 
 use crate::arrays::{mesh_of, vertices_of};

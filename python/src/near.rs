@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
-use stackless_bvh::geom::{Ball, Foot, Mesh, Triangle, Vector, check_environment};
+use stackless_bvh::geom::{Ball, Mesh, Triangle, Vector, check_environment};
+use stackless_bvh::internals::geom::Foot;
 use stackless_bvh::trace::Near;
 
 use crate::all_hits::number_of;

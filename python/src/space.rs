@@ -7,9 +7,10 @@ use glam::DVec3;
 use numpy::Element;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
-use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Stored, WideBvh, WideError};
-use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, WideBvh, WideError};
+use stackless_bvh::geom::Precision;
 use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
+use stackless_bvh::internals::bvh::Stored;
 use stackless_bvh::trace::{
     Assembly, Boundary, Hit, Location, MeshQueries, Near, Object, RayQueries, Rule, Solid, Tracer, Winding,
 };

@@ -6,7 +6,7 @@
 //! are in the order of the leaves.
 
 mod build;
-mod bytes;
+pub(crate) mod bytes;
 mod cover;
 mod least;
 mod primitives;
@@ -16,7 +16,7 @@ mod validate;
 pub mod wide;
 
 pub use build::{BuildError, BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions};
-pub use bytes::{BvhFileError, FileError, Stored};
+pub use bytes::{BvhFileError, FileError};
 pub use primitives::{Bounded, Primitives};
 pub use refit::RefitError;
 pub use tree::{BvhNode, BvhTree, Leaf};

@@ -161,7 +161,9 @@ fn times(a: f64, x: Interval) -> Interval {
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::geom::{AffineMap, meet_image, truth::{Meeting, RBig}};
+/// use stackless_bvh::geom::AffineMap;
+/// use stackless_bvh::internals::geom::meet_image;
+/// use stackless_bvh::internals::geom::truth::{Meeting, RBig};
 ///
 /// let third = AffineMap::new([[3.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.1, -1.0]])?;
 /// let Meeting::Hit(point) = meet_image([Vec3::ZERO, Vec3::X, Vec3::Y], &[third], Vec3::X, Vec3::NEG_Z) else {

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Aabb, Frame, Triangle, Vector};
 
 impl<V: Vector> Triangle<V> {
-    /// Computes [`Frame::part`] in unchanged coordinates.
+    /// Returns the box of the part inside a box, rounded outwards.
     pub fn part(&self, part: &Aabb) -> Aabb {
         Frame::IDENTITY.part(self, part)
     }

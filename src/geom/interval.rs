@@ -15,7 +15,7 @@ use super::truth::{Number as _, Relaxed};
 /// Lower ends are never +infinity, upper ends never -infinity, and neither is NaN.
 ///
 /// ```
-/// use stackless_bvh::geom::Interval;
+/// use stackless_bvh::internals::geom::Interval;
 ///
 /// let sum = Interval::exact(1.0) + Interval::exact(1e-30);
 /// assert_eq!(sum.ends(), [1.0, 1f64.next_up()]);

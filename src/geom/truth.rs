@@ -99,7 +99,7 @@ pub enum Place {
 /// without culling. If a number is not finite, the answer is a miss.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{Meeting, Place, Point, RBig, meet};
+/// use stackless_bvh::internals::geom::truth::{Meeting, Place, Point, RBig, meet};
 ///
 /// let triangle = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
 /// let third = RBig::from_parts(1.into(), 3u8.into());
@@ -155,7 +155,7 @@ pub(super) fn crosses_integers([v0, v1, v2, o, d]: &[Vector; 5]) -> bool {
 /// `[SECOND-2]`
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, distance_from};
+/// use stackless_bvh::internals::geom::truth::{RBig, distance_from};
 ///
 /// let triangle = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
 /// let third = || RBig::from_parts(1.into(), 3u8.into());
@@ -191,7 +191,7 @@ pub fn distance_from<S: Number>(triangle: [[S; 3]; 3], origin: &[RBig; 3], direc
 /// nothing.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, holds};
+/// use stackless_bvh::internals::geom::truth::{RBig, holds};
 ///
 /// let tenth = RBig::from_parts(1.into(), 10u8.into());
 /// assert!(holds([0.0, f32::INFINITY], &tenth));
@@ -218,7 +218,7 @@ pub(super) fn holds_fraction<S: Number>([tmin, tmax]: [S; 2], t: &Relaxed) -> bo
 /// another number is not finite, the line touches nothing.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::touches;
+/// use stackless_bvh::internals::geom::truth::touches;
 ///
 /// let corner = |o, tmax| touches(o, [1.0, 1.0, 0.0], [0.0, tmax], [1.0, 0.0, 0.0], [2.0, 1.0, 1.0]);
 /// assert!(corner([0.0, 0.0, 0.0], 1.0));
@@ -233,7 +233,7 @@ pub fn touches<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], l
 /// planes at which the line enters. `None` if the line does not touch the box.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, entry};
+/// use stackless_bvh::internals::geom::truth::{RBig, entry};
 ///
 /// let t = |tmin| entry([0.0, 0.5, 0.5], [3.0, 0.0, 0.0], [tmin, f32::INFINITY], [1.0; 3].map(|x| x - 1.0), [2.0; 3]);
 /// assert_eq!(t(0.25), Some(RBig::from_parts(1.into(), 4u8.into())));
@@ -249,7 +249,7 @@ pub fn entry<S: Number>(origin: [S; 3], direction: [S; 3], interval: [S; 2], lo:
 /// greatest float and 2^128 on, the result is infinite. A result of 0 has the sign of `x`.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, round_f32};
+/// use stackless_bvh::internals::geom::truth::{RBig, round_f32};
 ///
 /// assert_eq!(round_f32(&RBig::from_parts((-1).into(), 10u8.into())), -0.1);
 /// ```
@@ -261,7 +261,7 @@ pub fn round_f32(x: &RBig) -> f32 {
 /// on.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, round_f64};
+/// use stackless_bvh::internals::geom::truth::{RBig, round_f64};
 ///
 /// assert_eq!(round_f64(&RBig::from_parts(2.into(), 3u8.into())), 2.0 / 3.0);
 /// ```

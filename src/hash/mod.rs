@@ -5,27 +5,29 @@
 //! [`PerfectHash`] by the two small tables of Binder & Keller (2016, Section 2.2). These hold only the keys that a
 //! traversal can look up ([`KeySet`]), and [`certify()`] checks them for a tree.
 
-mod address;
+pub(crate) mod address;
 mod build;
-mod bytes;
+pub(crate) mod bytes;
 mod certify;
-mod fold;
+pub(crate) mod fold;
 mod keys;
 mod map;
-mod modulo;
-mod perfect;
+pub(crate) mod modulo;
+pub(crate) mod perfect;
 mod place;
 mod verified;
 
-pub use address::{decode, encode, is_address};
 pub use build::{BuildError, Options};
-pub use bytes::{AddressBounds, TableError};
+pub(crate) use bytes::AddressBounds;
+pub use bytes::TableError;
 pub use certify::{CertificateError, certify};
-pub use fold::{fold, for_each_folded_key};
+pub use fold::fold;
+pub(crate) use fold::for_each_folded_key;
 pub use keys::KeySet;
 pub use map::KeyMap;
-pub use modulo::{Constant, Modulo, Reciprocal, Remainder, TableSize, wrap};
-pub use perfect::{Header, Mix, PerfectHash, Sizing};
+pub(crate) use modulo::{Modulo, Reciprocal, TableSize};
+pub(crate) use perfect::Header;
+pub use perfect::{Mix, PerfectHash, Sizing};
 pub use verified::Verified;
 
 use crate::key::KeyWord;

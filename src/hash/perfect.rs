@@ -228,7 +228,7 @@ impl PerfectHash {
 
     /// Computes [`probe`](Self::probe) with another remainder by H; `modulo` must be for H.
     ///
-    /// The lookup multiplies by a [`Reciprocal`]. Alone, the multiplication has twice the throughput of a division. In
+    /// The lookup multiplies by a reciprocal. Alone, the multiplication has twice the throughput of a division. In
     /// a lookup on a processor with fast division, the difference is less than a tenth.
     #[inline(always)]
     pub fn probe_by<W: KeyWord>(&self, modulo: &impl Modulo, key: &W) -> Option<Node> {

@@ -18,7 +18,9 @@ use crate::tree::Node;
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::Ray, geom::Mesh, trace::AllHits};
+/// use stackless_bvh::bvh::Bvh;
+/// use stackless_bvh::geom::{Mesh, Ray};
+/// use stackless_bvh::internals::trace::AllHits;
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z], vec![[0, 1, 2], [0, 2, 1], [0, 1, 3]])?;

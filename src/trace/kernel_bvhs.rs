@@ -6,12 +6,15 @@ use crate::bvh::Bvh;
 use crate::geom::Triangle;
 use crate::geom::kernel::AffineTriangle;
 
-/// A hierarchy, and copies of it with the triangle shapes of the kernels of [`with_tests`](super::with_tests). Each
+/// A hierarchy, and copies of it with the triangle shapes of the kernels of [`with_tests`](super::accuracy::with_tests). Each
 /// copy is built at its first use.
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{bvh::Bvh, geom::kernel::AffineTriangle, geom::Mesh, trace::KernelBvhs};
+/// use stackless_bvh::bvh::Bvh;
+/// use stackless_bvh::geom::Mesh;
+/// use stackless_bvh::internals::geom::kernel::AffineTriangle;
+/// use stackless_bvh::internals::trace::KernelBvhs;
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
 /// let forms = KernelBvhs::new(Bvh::median(&mesh, 1)?);

@@ -146,7 +146,8 @@ mod tests {
     use super::*;
     use crate::bvh::SahOptions;
     use crate::generate::procedural;
-    use crate::trace::{Closest, OwnBoxes, QueryKind, Truth};
+    use crate::trace::truth::Truth;
+    use crate::trace::{Closest, OwnBoxes, QueryKind};
 
     /// Keys of 32 bits in a hierarchy that is too deep for them, without a table of the traversal that runs.
     #[test]

@@ -1,10 +1,8 @@
-//! Ray queries: visitors for the closest hit or any hit, and the tracers that run them.
+//! Ray queries, and the tracers that answer them.
 //!
-//! [`Closest`] and [`Any`] test both children at their parent, so the root's own box is not tested. [`ClosestByNode`]
-//! and [`AnyByNode`] test each node's box at its own visit, for traversals that need this. They are exact: the answer
-//! to a closest-hit query is that of rational arithmetic ([`Truth`]). So it is identical, bit for bit, for every tree
-//! over the same mesh, every order and every traversal. `[DET-1]` For an any-hit query, only the existence of a hit is
-//! identical.
+//! The answer to a closest-hit query is that of rational arithmetic, rounded. So it is identical, bit for bit, for every
+//! tree over the same mesh, every order and every traversal. `[DET-1]` For an any-hit query, only the existence of a hit
+//! is identical.
 //!
 //! # Tracers
 //!
@@ -19,60 +17,60 @@
 //! ([`MeshError`](crate::geom::MeshError), [`RayError`](crate::geom::RayError), [`BallError`](crate::geom::BallError),
 //! [`BuildError`](crate::bvh::BuildError)). ARCHITECTURE.md lists the functions that a ray passes.
 
-mod accuracy;
+#[cfg(any(test, feature = "internals"))]
+pub(crate) mod accuracy;
 mod binary;
 #[cfg(any(test, feature = "generate"))]
-mod bounce;
+pub(crate) mod bounce;
 mod boundary;
-mod child_order;
+pub(crate) mod child_order;
 mod continuation;
-mod counters;
-mod crossings;
+pub(crate) mod counters;
+pub(crate) mod crossings;
 mod filter;
 mod instances;
-mod kernel_bvhs;
+#[cfg(any(test, feature = "internals"))]
+pub(crate) mod kernel_bvhs;
 mod leaf_primitives;
 mod level;
 mod memory;
 mod mesh_queries;
 mod nearest;
-mod next;
+pub(crate) mod next;
 mod plan;
 mod prepared_ray;
-mod query;
+pub(crate) mod query;
 mod ray_queries;
-mod search;
+pub(crate) mod search;
 mod solid;
 mod tracer;
-pub mod truth;
+pub(crate) mod truth;
 mod winding;
 
-pub use accuracy::{Accuracy, KernelName, SlabsName, WithTests, with_level, with_tests};
 pub use binary::BinaryTracer;
-#[cfg(any(test, feature = "generate"))]
-pub use bounce::{bounce, cut, reflect, reflect_each};
 pub use boundary::{Border, Boundary, OpenEdge};
-pub use child_order::{ChildOrder, FromLeft, Nearest};
+pub(crate) use child_order::{ChildOrder, FromLeft, Nearest};
 pub use continuation::{Continuation, Place};
-pub use counters::{Counters, WideCounters};
-pub use crossings::{AllHits, AllHits64, AllHitsQuery, Crossings};
+pub(crate) use counters::WideCounters;
+pub(crate) use crossings::AllHitsQuery;
+pub use crossings::Crossings;
 pub use filter::{Filter, Filterable, Filtered};
 pub use instances::{
     Assembly, AssemblyError, FilteredInstances, Instance, InstanceCounts, InstanceError, InstanceFilter, InstanceHit,
     InstanceNear, InstanceTracer, Object,
 };
-pub use kernel_bvhs::{KernelBvhs, KernelShape};
+#[cfg(any(test, feature = "internals"))]
+pub(crate) use kernel_bvhs::KernelShape;
 pub use leaf_primitives::LeafPrimitives;
 pub use mesh_queries::MeshQueries;
 pub use nearest::{Near, NearestPoint, NearestPoints};
-pub use next::NextHitQuery;
+pub(crate) use next::NextHitQuery;
 pub use plan::{Choice, Decision, Need, Part, PartialHit, Plan, QueryKind};
-pub use query::{BoxQuery, OwnBoxes, Query};
+pub(crate) use query::{BoxQuery, OwnBoxes, Query};
 pub use ray_queries::RayQueries;
-pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};
+pub(crate) use search::{Closest, NodeSearch};
 pub use solid::{Location, Rule, Solid, SolidError};
 pub use tracer::Tracer;
-pub use truth::{TrueHit, Truth};
 pub use winding::Winding;
 
 /// The intersection of a ray and a mesh.

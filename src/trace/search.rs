@@ -22,7 +22,9 @@ pub type Any<'a> = Search<'a, Exact, Directed, true, FromLeft>;
 ///
 /// ```
 /// use glam::DVec3;
-/// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, geom::Mesh, trace::Closest64};
+/// use stackless_bvh::bvh::{Bvh, SahOptions};
+/// use stackless_bvh::geom::{Mesh, Ray};
+/// use stackless_bvh::internals::trace::Closest64;
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///
 /// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 1e9);

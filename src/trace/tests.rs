@@ -1,3 +1,5 @@
+use super::search::{Any, AnyByNode, ClosestByNode, Search};
+use super::truth::Truth;
 use super::*;
 use crate::bvh::{Bvh, SahOptions};
 use crate::generate::procedural;

@@ -65,7 +65,7 @@ pub fn brute_force<V: Vector>(mesh: &Mesh<V>, ray: &Ray<V>) -> Vec<TrueHit<V::Re
 ///
 /// ```
 /// use stackless_bvh::generate::procedural;
-/// use stackless_bvh::trace::{Truth, truth};
+/// use stackless_bvh::internals::trace::{Truth, truth};
 ///
 /// let mesh = procedural::soup(1, 100);
 /// let judge = Truth::new(&mesh);

@@ -189,8 +189,10 @@ pub fn resume<C: Pause>(
 ///
 /// ```compile_fail,E0277
 /// # use stackless_bvh::bvh::Bvh;
-/// # use stackless_bvh::geom::{Ray, kernel::Exact, slabs::Directed};
-/// # use stackless_bvh::trace::AllHitsQuery;
+/// # use stackless_bvh::geom::Ray;
+/// # use stackless_bvh::internals::geom::kernel::Exact;
+/// # use stackless_bvh::internals::geom::slabs::Directed;
+/// # use stackless_bvh::internals::trace::AllHitsQuery;
 /// # use stackless_bvh::traverse::{KeyOnly, Pause, revisit};
 /// // All hits would be counted twice.
 /// fn all_hits(bvh: &Bvh, ray: &Ray, cursor: impl Pause<Word = u64>, from: KeyOnly<u64>) {
@@ -204,7 +206,7 @@ pub fn resume<C: Pause>(
 /// ```
 /// # use stackless_bvh::bvh::Bvh;
 /// # use stackless_bvh::geom::Ray;
-/// # use stackless_bvh::trace::Closest;
+/// # use stackless_bvh::internals::trace::Closest;
 /// # use stackless_bvh::traverse::{KeyOnly, Pause, revisit};
 /// fn closest_hit(bvh: &Bvh, ray: &Ray, cursor: impl Pause<Word = u64>, from: KeyOnly<u64>) {
 ///     let mut search = Closest::new(bvh, ray);

@@ -122,7 +122,7 @@ impl AuxTables {
 }
 
 impl<'t, T: Topology> Tables<'t, T> {
-    /// Builds a tree with the tables of `methods`, as [`AuxTables::new`] does.
+    /// Builds a tree with the tables of `methods`. Trees of up to `implicit_depth` edges get the implicit layout.
     pub fn new(tree: &'t T, axes: &'t [u8], methods: &[Method], implicit_depth: u32) -> Self {
         Self::with(tree, axes, AuxTables::new(tree, axes, methods, implicit_depth))
     }

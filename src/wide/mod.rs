@@ -39,25 +39,27 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod keys;
+pub(crate) mod keys;
 mod links;
 pub mod oracle;
 mod pending;
-mod pending_store;
+pub(crate) mod pending_store;
 mod restart;
 mod search;
 mod stack;
-mod table;
+pub(crate) mod table;
 mod tree;
 
-pub use keys::{ancestor_key, asked_keys, child_key, key_level};
+pub use keys::{ancestor_key, child_key, key_level};
 pub use links::{Hashed, Link, Parents, Recorded};
 pub use pending::Pending;
-pub use pending_store::{Count, PendingLevel, PendingStore, Ranked, StateView, Trail, TrailWord, back, leave};
+pub(crate) use pending_store::StateView;
+pub use pending_store::{PendingStore, Trail, back, leave};
 pub use restart::Restart;
 pub use search::{RankedChild, Ranks, Search, Wanted, is_beyond};
 pub use stack::{Memory, Stack};
-pub use table::{Context, Method, Scratch, Supply, Tables, Unsupported};
+pub(crate) use table::{Context, Scratch, Supply};
+pub use table::{Method, Tables, Unsupported};
 pub use tree::{Topology, Tree, TreeError};
 
 use core::ops::ControlFlow;

@@ -10,7 +10,7 @@ mod worst;
 
 /// The constants under test: the library's, and further ones from spec/exactness.md.
 mod constants {
-    use stackless_bvh::geom::{kernel, slabs};
+    use stackless_bvh::internals::geom::{kernel, slabs};
 
     /// |δU| and |δV| in units of u D C E.
     pub(crate) const EDGE: f32 = 31.0;

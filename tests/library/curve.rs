@@ -1,7 +1,7 @@
 //! The closest point of a curve (`examples/curve.rs`) against rational arithmetic.
 
 use stackless_bvh::generate::{Rng, Source};
-use stackless_bvh::geom::truth::RBig;
+use stackless_bvh::internals::geom::truth::RBig;
 use stackless_bvh::oracle;
 use stackless_bvh::traverse::{HashOnly, traverse};
 

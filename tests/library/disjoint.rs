@@ -5,9 +5,10 @@ use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, SpatialOptions}
 use stackless_bvh::event::{Recorder, Trace};
 use stackless_bvh::generate::{Cell, Family, Kind, Rng, Search, Source, Tape, procedural};
 use stackless_bvh::geom::Mesh;
+use stackless_bvh::internals::trace::{Any, Closest, NodeSearch, Truth};
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use stackless_bvh::trace::{Any, BinaryTracer, Closest, NodeSearch, Part, Plan, QueryKind, RayQueries, Truth};
+use stackless_bvh::trace::{BinaryTracer, Part, Plan, QueryKind, RayQueries};
 use stackless_bvh::traverse::{Method, Tables, Unsupported};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::Case;

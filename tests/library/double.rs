@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 
 use glam::DVec3;
-use stackless_bvh::geom::kernel::{Exact64, Kernel};
-use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
+use stackless_bvh::geom::{Aabb, Ray, Triangle};
+use stackless_bvh::internals::geom::Region;
+use stackless_bvh::internals::geom::kernel::{Exact64, Kernel};
 use stackless_check::{check_degenerate, check_triangle};
 
 /// Returns a power of two, exact for the exponents of normal numbers.

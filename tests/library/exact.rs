@@ -3,12 +3,15 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::kernel::{Exact, Exact64};
-use stackless_bvh::geom::slabs::{Directed, Slabs64};
-use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs, Triangle, Vector};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Mesh, Ray, Triangle, Vector};
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::geom::kernel::{Exact, Exact64};
+use stackless_bvh::internals::geom::slabs::{Directed, Slabs64};
+use stackless_bvh::internals::trace::{Accuracy, Closest, ClosestByNode, KernelName, SlabsName, Truth};
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftOrder, SignOrder};
-use stackless_bvh::trace::{Accuracy, Closest, ClosestByNode, Hit, KernelName, SlabsName, Truth};
+use stackless_bvh::trace::Hit;
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{CaseOptions, Plan, SceneTree, Stress, check_boxes, check_scene};
 

@@ -9,12 +9,14 @@ use std::path::{Path, PathBuf};
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::geom::slabs::{Directed, Plain, Slabs};
-use stackless_bvh::geom::{Aabb, Mesh, Ray, Region};
+use stackless_bvh::geom::{Aabb, Mesh, Ray};
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::geom::Region;
+use stackless_bvh::internals::geom::slabs::{Directed, Plain, Slabs};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruned, Pruning, Side, Visitor};
-use stackless_bvh::traverse::{Disjoint, Hashed, Sparse, traverse, traverse_pruned};
+use stackless_bvh::traverse::Disjoint;
+use stackless_bvh::traverse::{Hashed, Sparse, traverse, traverse_pruned};
 use stackless_bvh::tree::{Keys, Linked, Node, Reach, Recorded, Topology, Tree};
 use stackless_bvh::{swap, trail};
 

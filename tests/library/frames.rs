@@ -6,10 +6,12 @@ use glam::{DVec3, Vec3};
 
 use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::slabs::Slabs64;
 use stackless_bvh::geom::{Mesh, Ray, Triangle};
-use stackless_bvh::trace::{self, BinaryTracer, MeshQueries, RayQueries, TrueHit, Truth};
+use stackless_bvh::internals::geom::kernel::Exact64;
+use stackless_bvh::internals::geom::slabs::Slabs64;
+use stackless_bvh::internals::trace::{TrueHit, Truth};
+use stackless_bvh::trace;
+use stackless_bvh::trace::{BinaryTracer, MeshQueries, RayQueries};
 use stackless_bvh::traverse::Method;
 
 type Tracer<'a> = BinaryTracer<&'a Bvh<Triangle<DVec3>>, Exact64, Slabs64>;

@@ -4,7 +4,8 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 
 use stackless_bvh::generate::{Exhaustive, Family, Kind, Rng, Search, Source, Tape, shape};
-use stackless_bvh::hash::{BuildError, KeySet, Lookup, Options, PerfectHash, Sizing, Verified};
+use stackless_bvh::hash::Verified;
+use stackless_bvh::hash::{BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::traverse::{ByKey, Hashed, Test, traverse};
 use stackless_bvh::tree::{Keys, Linked, Node, Reach, Topology, Tree};

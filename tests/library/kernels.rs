@@ -3,8 +3,9 @@
 use glam::Vec3;
 use proptest::prelude::*;
 
-use stackless_bvh::geom::kernel::{Affine, Exact, ExactFromSingle, Kernel, Moller32, Moller64, Woop};
-use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
+use stackless_bvh::geom::{Aabb, Ray, Triangle};
+use stackless_bvh::internals::geom::Region;
+use stackless_bvh::internals::geom::kernel::{Affine, Exact, ExactFromSingle, Kernel, Moller32, Moller64, Woop};
 use stackless_check::check_triangle;
 
 const UNIT: Triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
@@ -213,7 +214,7 @@ fn numbers_and_vectors_answer_for_their_precision() {
 
 #[test]
 fn octants_are_the_signs() {
-    use stackless_bvh::geom::EnclosedRay;
+    use stackless_bvh::internals::geom::EnclosedRay;
     for octant in 0..8_u8 {
         let sign = |axis: u8| if octant >> axis & 1 == 1 { -2.0 } else { 3.0 };
         let ray = ray([0.0; 3], [sign(0), sign(1), sign(2)], 0.0, 1.0);

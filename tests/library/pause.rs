@@ -3,15 +3,19 @@
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, procedural};
-use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::{Kernel, Ray};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::Ray;
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::geom::kernel::Exact;
+use stackless_bvh::internals::trace::{Any, Closest, Truth};
+use stackless_bvh::internals::traverse::{ByTable, ByWalk};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::trace::{Any, BinaryTracer, Closest, RayQueries, Truth};
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
+use stackless_bvh::traverse::Disjoint;
 use stackless_bvh::traverse::{
-    Afra, ByTable, ByWalk, Cursor, Disjoint, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey,
-    Pause, Paused, Sparse, StateError, States, Uncle, resume, traverse, traverse_pruned,
+    Afra, Cursor, HashOnly, Hashed, Incomplete, KeyOnly, KeyTrail, Method, Next, NoSuchKey, Pause, Paused, Sparse,
+    StateError, States, Uncle, resume, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::{Linked, Node, Recorded, Topology};
 use stackless_check::{Case, CaseOptions, Pauses};

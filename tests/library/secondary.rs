@@ -6,9 +6,10 @@ use dashu_int::ops::BitTest;
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
-use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::truth::{Number, RBig};
-use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Interval, Mesh, Ray, RayError, Real, Vector};
+use stackless_bvh::geom::Precision;
+use stackless_bvh::geom::{AffineMap, Ends, ExactPoint, ExactRay, Mesh, Ray, RayError, Real, Vector};
+use stackless_bvh::internals::geom::Interval;
+use stackless_bvh::internals::geom::truth::{Number, RBig};
 use stackless_bvh::trace::{Assembly, Instance, InstanceFilter, InstanceHit, InstanceTracer, RayQueries};
 use stackless_bvh::traverse::Method;
 

@@ -6,11 +6,13 @@ mod kept;
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Family, Kind, Rng, Search};
 use stackless_bvh::hash::{KeyMap, KeySet, Lookup, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::traverse::AuxTables;
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Descent, Flow, Pruning, Side, Visitor};
+use stackless_bvh::traverse::Disjoint;
 use stackless_bvh::traverse::{
-    Afra, AuxTables, Complete, Cursor, Cuts, Disjoint, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused,
-    PruningStack, Sparse, Split, Stack, Tables, Test, Unsupported, WordName, traverse, traverse_pruned,
+    Afra, Complete, Cursor, Cuts, Glassner, Hashed, KeyTrail, Method, Next, Pause, Paused, PruningStack, Sparse, Split,
+    Stack, Tables, Test, Unsupported, WordName, traverse, traverse_pruned,
 };
 use stackless_bvh::tree::{Keys, Linked, Node, Parents, Reach, Recorded, Topology, Tree};
 use stackless_check::{Case, CaseOptions};

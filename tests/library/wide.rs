@@ -9,12 +9,12 @@ use stackless_bvh::generate::{
     Exhaustive, Kind, Rng, Source, Tape, WideAnswer, WideTape, shape, wide_shape, wide_tree,
 };
 use stackless_bvh::hash::Lookup;
+use stackless_bvh::internals::wide::{StateView, TrailWord, asked_keys};
 use stackless_bvh::order::{Flow, Side, Visitor};
 use stackless_bvh::traverse::{self, Afra};
 use stackless_bvh::tree::{self, Node};
 use stackless_bvh::wide::{
-    Method, PendingStore, RankedChild, Search, StateView, Tables, Topology, Trail, TrailWord, Tree, Unsupported,
-    Wanted, asked_keys, key_level,
+    Method, PendingStore, RankedChild, Search, Tables, Topology, Trail, Tree, Unsupported, Wanted, key_level,
 };
 use stackless_check::WideCase;
 
@@ -321,7 +321,8 @@ impl Lookup<u64> for &Noted<'_> {
 /// [WIDE-9] [WIDE-16]
 #[test]
 fn the_hash_has_the_keys_that_are_asked_for_and_no_others() {
-    use stackless_bvh::wide::{Hashed, Pending, Ranked, traverse};
+    use stackless_bvh::internals::wide::Ranked;
+    use stackless_bvh::wide::{Hashed, Pending, traverse};
     let mut rng = Rng::new(13);
     let mut hashed = 0;
     for _ in 0..2000 {

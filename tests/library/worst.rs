@@ -9,7 +9,7 @@ use glam::Vec3;
 use serde_json::Value;
 use stackless_bvh::generate::stress::StressCase;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{KernelName, SlabsName};
+use stackless_bvh::internals::trace::{KernelName, SlabsName};
 use stackless_bvh::traverse::{Method, WordName};
 use stackless_check::{Battery, Replay, Stress, Verdict};
 

@@ -26,6 +26,7 @@ const ALLOWED: &[(&str, &[&str])] = &[
     ("generate", &["geom", "hash", "name", "order", "tree", "wide"]),
     ("bvh", &["geom", "hash", "name", "order", "threads", "tree", "wide"]),
     ("trace", &["bvh", "event", "generate", "geom", "key", "name", "order", "threads", "traverse", "tree", "wide"]),
+    ("internals", &["bvh", "event", "geom", "hash", "trace", "traverse", "wide"]),
 ];
 
 /// The crates of this repository that each crate needs, all of them from earlier rows.

@@ -6,9 +6,10 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DVec3, Vec3};
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use stackless_bvh::bvh::{BuildOptions, Builder, Stored, WideBvh};
-use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::bvh::{BuildOptions, Builder, WideBvh};
+use stackless_bvh::geom::Precision;
 use stackless_bvh::geom::{MAX_COUNT, Mesh};
+use stackless_bvh::internals::bvh::Stored;
 use stackless_bvh::trace::{Assembly, Boundary, InstanceTracer, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_scene::{scene_from_bytes, scene_to_bytes, write_atomically};

@@ -2,7 +2,7 @@
 
 use std::ffi::c_void;
 
-use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::Precision;
 
 use crate::exact::Point;
 use crate::instances::Instances;

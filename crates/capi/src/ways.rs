@@ -2,7 +2,7 @@
 
 use std::ptr;
 
-use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::Precision;
 
 use crate::error::Fault;
 use crate::exact::{Exact, Point, Way};

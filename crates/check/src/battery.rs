@@ -6,13 +6,11 @@ use super::Case;
 use super::watch::{Expected, Fault, Watch};
 use stackless_bvh::event::Trace;
 use stackless_bvh::generate::{Outcome, Search};
+use stackless_bvh::internals::traverse::{AuxTables, VerifiedTables, WithWord, with_word};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, LeftOrder, Pruned, Pruning, SignOrder, Unpruned};
-use stackless_bvh::traverse::{
-    AuxTables, Method, PruningStack, Stack, Tables, Test, Unsupported, VerifiedTables, WithWord, WordName,
-    traverse_pruned, with_word,
-};
+use stackless_bvh::traverse::{Method, PruningStack, Stack, Tables, Test, Unsupported, WordName, traverse_pruned};
 use stackless_bvh::tree::{Keys, Node, Parents, Topology, Tree};
 
 /// The result of checking one traversal.

@@ -8,9 +8,10 @@ use serde::{Deserialize, Serialize};
 
 use super::random::Progress;
 use stackless_bvh::generate::draw::Draw;
-use stackless_bvh::geom::slabs::{Directed, Plain, TwoSided};
-use stackless_bvh::geom::{Aabb, Ray, Region, Slabs, truth};
-use stackless_bvh::trace::SlabsName;
+use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::internals::geom::slabs::{Directed, Plain, TwoSided};
+use stackless_bvh::internals::geom::{Region, Slabs, truth};
+use stackless_bvh::internals::trace::SlabsName;
 
 /// Counts of touched boxes that were skipped, for each of [`SlabsName::ALL`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

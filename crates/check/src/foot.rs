@@ -1,7 +1,7 @@
 //! The nearest point of a triangle, in integers, for the oracle of instances. `[INST-9]`
 
 use dashu_int::IBig;
-use stackless_bvh::geom::truth::Relaxed;
+use stackless_bvh::internals::geom::truth::Relaxed;
 
 use crate::instance_oracle::IntegerPoint;
 

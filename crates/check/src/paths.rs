@@ -5,8 +5,8 @@ use std::array;
 use dashu_int::{IBig, UBig};
 use glam::Vec3;
 
-use stackless_bvh::geom::truth::{RBig, round_f32};
 use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Mesh};
+use stackless_bvh::internals::geom::truth::{RBig, round_f32};
 use stackless_bvh::trace::{InstanceHit, InstanceTracer};
 
 use crate::instance_oracle::meet;

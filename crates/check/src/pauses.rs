@@ -6,12 +6,12 @@ use super::Case;
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::traverse::{ByTable, ByWalk, WithCursor};
 use stackless_bvh::key::{self, KeyWord};
 use stackless_bvh::oracle;
 use stackless_bvh::order::{Descent, Flow, Pruned, Visitor};
 use stackless_bvh::traverse::{
-    ByTable, ByWalk, KeyOnly, KeyTrail, Method, Next, Pause, Paused, States, Tables, WithCursor, resume, revisit,
-    traverse_pruned,
+    KeyOnly, KeyTrail, Method, Next, Pause, Paused, States, Tables, resume, revisit, traverse_pruned,
 };
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 

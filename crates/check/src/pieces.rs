@@ -4,11 +4,10 @@ use std::convert::Infallible;
 
 use stackless_bvh::event::Recorder;
 use stackless_bvh::hash::{BuildError, KeyMap, KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::traverse::{Context, Piece, PieceTable, Supply};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{self, ByNode, FixedOrder, NodeTest, Pruned};
-use stackless_bvh::traverse::{
-    Context, Cursor, Cuts, Method, Piece, PieceTable, Skips, Split, Supply, Unsupported, traverse, traverse_pruned,
-};
+use stackless_bvh::traverse::{Cursor, Cuts, Method, Skips, Split, Unsupported, traverse, traverse_pruned};
 use stackless_bvh::tree::{Node, Reach, Topology};
 
 /// A cut tree with the tables of all traversals that have a word in their state. `[DEPTH-4]`

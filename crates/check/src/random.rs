@@ -8,8 +8,9 @@ use super::watch::Fault;
 use super::{Battery, Case, CaseOptions, PauseFault, Pauses, Tally, Verdict};
 use stackless_bvh::generate::{Family, Kind, Rng};
 use stackless_bvh::hash::mix;
+use stackless_bvh::internals::traverse::{WithWord, with_word};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::traverse::{Method, WithWord, WordName, with_word};
+use stackless_bvh::traverse::{Method, WordName};
 use stackless_bvh::tree::Topology;
 
 /// The traversals, words and random trees of a check.

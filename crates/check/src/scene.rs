@@ -9,13 +9,17 @@ use super::random::Progress;
 use super::{Plan, Tally, Verdict};
 use stackless_bvh::bvh::{Bvh, BvhTree};
 use stackless_bvh::event::{Recorder, State};
-use stackless_bvh::geom::{Aabb, Kernel, Ray, Slabs, Triangle, Vector};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Aabb, Ray, Triangle, Vector};
 use stackless_bvh::hash::mix;
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::trace::{FromLeft, NodeSearch, Query, Truth};
+use stackless_bvh::internals::traverse::{AuxTables, VerifiedTables};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{ByNode, Flow, LeftOrder, SignOrder};
-use stackless_bvh::trace::{FromLeft, Hit, NodeSearch, Query, Truth};
-use stackless_bvh::traverse::{AuxTables, Method, Tables, Test, Unsupported, VerifiedTables, WordName};
+use stackless_bvh::trace::Hit;
+use stackless_bvh::traverse::{Method, Tables, Test, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Keys, Node, Topology};
 
 /// A hierarchy of a mesh, with the data for its check.

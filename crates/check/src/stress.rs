@@ -3,14 +3,16 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::stress::StressCase;
-use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::lanes;
-use stackless_bvh::geom::slabs::Slabs64;
-use stackless_bvh::geom::{Kernel, Mesh, Ray, Slabs};
-use stackless_bvh::trace::{
-    BinaryTracer, Hit, KernelName, KernelShape, NodeSearch, Query, RayQueries, SlabsName, Tracer, Truth, WithTests,
-    with_tests,
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::geom::kernel::Exact64;
+use stackless_bvh::internals::geom::lanes;
+use stackless_bvh::internals::geom::slabs::Slabs64;
+use stackless_bvh::internals::trace::{
+    KernelName, KernelShape, NodeSearch, Query, SlabsName, Truth, WithTests, with_tests,
 };
+use stackless_bvh::trace::{BinaryTracer, Hit, RayQueries, Tracer};
 use stackless_bvh::traverse::{Method, Tables, Unsupported, WordName};
 use stackless_bvh::tree::{Implicit, Topology};
 use stackless_bvh::wide;

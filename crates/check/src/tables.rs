@@ -1,8 +1,7 @@
 //! The property body of perfect hashes.
 
-use stackless_bvh::hash::{
-    AddressBounds, BuildError, CertificateError, KeySet, Lookup, Options, PerfectHash, TableError, certify,
-};
+use stackless_bvh::hash::{BuildError, CertificateError, KeySet, Lookup, Options, PerfectHash, TableError, certify};
+use stackless_bvh::internals::hash::AddressBounds;
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 

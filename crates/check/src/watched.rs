@@ -138,9 +138,9 @@ impl<T: Topology> Recorder for Steps<'_, T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stackless_bvh::event::Backtracks;
     use stackless_bvh::generate::{Family, Kind, Rng, Search, Tape};
     use stackless_bvh::hash::KeyMap;
+    use stackless_bvh::internals::event::Backtracks;
     use stackless_bvh::traverse::{Afra, HashOnly, Sparse, Stack, Uncle, traverse};
     use stackless_bvh::tree::Linked;
 

@@ -5,12 +5,14 @@ use std::fmt;
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Source, WideSearch, WideTape, wide_shape, wide_tree};
 use stackless_bvh::hash::PerfectHash;
+use stackless_bvh::internals::wide::{Context, Ranked, Scratch, StateView, Supply};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
+use stackless_bvh::wide;
 use stackless_bvh::wide::{
-    self, Context, Cursor, Hashed, Link, Method, Next, Parents, Pending, PendingStore, Ranked, Recorded, Scratch,
-    StateView, Supply, Tables, Topology, Trail, Tree, Unsupported, Wanted, oracle,
+    Cursor, Hashed, Link, Method, Next, Parents, Pending, PendingStore, Recorded, Tables, Topology, Trail, Tree,
+    Unsupported, Wanted, oracle,
 };
 
 /// A wide tree and a search through it.

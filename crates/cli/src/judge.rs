@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::Truth;
+use stackless_bvh::internals::trace::Truth;
 use stackless_check::floats_between;
 
 use crate::output::bar;

@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, TypedValueParser};
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Builder, WideBvh};
-use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::truth::Place;
-use stackless_bvh::geom::{Ball, Foot, Real as _, Triangle, Vector};
+use stackless_bvh::geom::Precision;
+use stackless_bvh::geom::{Ball, Real as _, Triangle, Vector};
+use stackless_bvh::internals::geom::Foot;
+use stackless_bvh::internals::geom::truth::Place;
 use stackless_bvh::trace::{Boundary, Location, MeshQueries as _, Near, Rule, Solid, Tracer};
 use stackless_scene::{Cell, Column, Float, Format, Point, Position, write_table};
 

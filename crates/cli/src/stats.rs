@@ -10,12 +10,13 @@ use std::time::Instant;
 use crate::plots::plot_distances;
 use serde::Serialize;
 use stackless_bvh::bvh::{Builder, Bvh};
-use stackless_bvh::event::{Backtracks, Source};
 use stackless_bvh::generate::procedural::{self, View};
 use stackless_bvh::hash::{self, BuildError, KeySet, Lookup, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::event::{Backtracks, Source};
+use stackless_bvh::internals::trace::{Closest, bounce};
+use stackless_bvh::internals::traverse::{WithWord, with_word};
 use stackless_bvh::key::KeyWord;
-use stackless_bvh::trace::{self, Closest};
-use stackless_bvh::traverse::{Hashed, WithWord, WordName, traverse, with_word};
+use stackless_bvh::traverse::{Hashed, WordName, traverse};
 use stackless_bvh::tree::{Linked, Node, Reach, Topology};
 
 use crate::build;
@@ -202,7 +203,7 @@ impl WithWord for Count<'_> {
         let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::Tight };
         let hash = PerfectHash::build(bvh, options)?;
         let mut rays = procedural::camera_rays(&scene.mesh, seed, n / 2);
-        let bounced = trace::bounce(&scene.mesh, bvh, &rays, seed);
+        let bounced = bounce(&scene.mesh, bvh, &rays, seed);
         rays.extend(bounced);
         let lookups = Cell::new(Lookups { rays: rays.len(), ..Lookups::default() });
         let mut backtracks = Backtracks::new(Reach::ALGORITHM_1);

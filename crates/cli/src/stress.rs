@@ -9,7 +9,7 @@ use std::time::Instant;
 use rayon::prelude::*;
 use serde_json::json;
 use stackless_bvh::generate::stress;
-use stackless_bvh::trace::{Accuracy, KernelName, SlabsName};
+use stackless_bvh::internals::trace::{Accuracy, KernelName, SlabsName};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
 use stackless_check::{Shard, Stress};

@@ -7,7 +7,7 @@ use std::io::{self, BufReader, stdin};
 use std::path::{Path, PathBuf};
 
 use clap::Subcommand;
-use stackless_bvh::trace::Accuracy;
+use stackless_bvh::internals::trace::Accuracy;
 use stackless_bvh::traverse::WordName;
 use stackless_suite::{Feature, Implementation, Level, Library, Suite, Traversal, VERSION, serve};
 

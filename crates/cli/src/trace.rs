@@ -7,12 +7,13 @@ use std::path::PathBuf;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use stackless_bvh::bvh::{Builder, Bvh};
-use stackless_bvh::geom::kernel::Exact64;
-use stackless_bvh::geom::lanes::Precision;
-use stackless_bvh::geom::{Kernel, Ray, Slabs, Triangle, Vector, slabs};
-use stackless_bvh::trace::{
-    self, Accuracy, BinaryTracer, Hit, KernelShape, MeshQueries as _, RayQueries, Tracer, WithTests,
-};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::Precision;
+use stackless_bvh::geom::{Ray, Triangle, Vector};
+use stackless_bvh::internals::geom::kernel::Exact64;
+use stackless_bvh::internals::geom::{Slabs, slabs};
+use stackless_bvh::internals::trace::{Accuracy, KernelShape, WithTests, with_level};
+use stackless_bvh::trace::{BinaryTracer, Hit, MeshQueries as _, RayQueries, Tracer};
 use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::wide;
 use stackless_scene::{Cell, Column, Float, Format, Position, write_table};
@@ -157,7 +158,7 @@ impl Args {
         match self.traversal()? {
             Traversal::Binary(method) => {
                 let bvh = build::binary(build::chosen(self.build, &[method]), scene)?;
-                let traced = trace::with_level(self.accuracy, self.by_binary(method, bvh, rays)?);
+                let traced = with_level(self.accuracy, self.by_binary(method, bvh, rays)?);
                 let answers = traced.map_err(|unfit| format!("{method}: {unfit}"))?;
                 Ok(Traced { method: method.name(), answers })
             }

@@ -4,8 +4,9 @@ use super::observe::{self, LinkTable, Log, Seen, Word};
 use super::text::binary;
 use super::{By, ExplainError, Next, Step, slot, text};
 use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::internals::traverse::Need;
 use stackless_bvh::order::{Descent, Flow, Pruning};
-use stackless_bvh::traverse::{Method, Need};
+use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::{Keys, Node, Parents, Recorded, Topology, Tree};
 use stackless_check::{Case, Expected, Fault, Visit, Watch};
 

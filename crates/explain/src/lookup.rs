@@ -3,7 +3,8 @@
 use serde::Serialize;
 
 use super::text::binary;
-use stackless_bvh::hash::{PerfectHash, decode, fold, is_address};
+use stackless_bvh::hash::{PerfectHash, fold};
+use stackless_bvh::internals::hash::{decode, is_address};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::tree::Node;
 

@@ -6,12 +6,13 @@ use super::{ExplainError, HashLookup, Table, slot};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::Search;
 use stackless_bvh::hash::{KeySet, Options, PerfectHash, Sizing};
+use stackless_bvh::internals::traverse::{AuxTables, Need};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::oracle;
 use stackless_bvh::order::{
     ByNode, Descent, FixedOrder, Flow, LeftOrder, NodeTest, Pruned, Pruning, SignOrder, Visitor,
 };
-use stackless_bvh::traverse::{AuxTables, Method, Need, Tables, Test};
+use stackless_bvh::traverse::{Method, Tables, Test};
 use stackless_bvh::tree::{Linked, Node, Parents, Reach, Recorded, Topology, Tree, Uncles};
 use stackless_check::{Case, Watched};
 

@@ -2,9 +2,11 @@
 
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::{Cell, Tape};
-use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::slabs::{Directed, Intervals};
-use stackless_bvh::geom::{Kernel, Ray, Slabs};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::geom::kernel::Exact;
+use stackless_bvh::internals::geom::slabs::{Directed, Intervals};
 use stackless_bvh::order::{FixedOrder, SignOrder};
 use stackless_bvh::tree::{Node, Topology, Tree};
 use stackless_check::Case;
@@ -12,7 +14,7 @@ use stackless_check::Case;
 /// With these signs, axis 0 has the left child first and axis 1 the right child.
 const OCTANT: u8 = 0b010;
 
-/// Converts a closest-hit query to a case: its tape has the decisions of [`Closest`](stackless_bvh::trace::Closest).
+/// Converts a closest-hit query to a case: its tape has the decisions of [`Closest`](stackless_bvh::internals::trace::Closest).
 ///
 /// The tree has the nodes whose boxes the ray hits. Their missed siblings are leaves. Distances are replaced by their
 /// ranks. The result may be too large for a page.
@@ -89,7 +91,8 @@ mod tests {
     use crate::record;
     use stackless_bvh::bvh::{BuildOptions, Builder};
     use stackless_bvh::generate::procedural;
-    use stackless_bvh::trace::{BinaryTracer, Counters, RayQueries};
+    use stackless_bvh::internals::trace::Counters;
+    use stackless_bvh::trace::{BinaryTracer, RayQueries};
     use stackless_bvh::traverse::Method;
 
     #[test]

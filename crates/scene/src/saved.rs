@@ -13,11 +13,12 @@
 
 use std::collections::TryReserveError;
 
+use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::bvh::wide::{WideBvhError, WideBvhFileError};
-use stackless_bvh::bvh::{Stored, WideBvh};
-use stackless_bvh::geom::lanes::Precision;
+use stackless_bvh::geom::Precision;
 use stackless_bvh::geom::{Mesh, MeshError};
 use stackless_bvh::hash::checksum;
+use stackless_bvh::internals::bvh::Stored;
 
 const MAGIC: &[u8; 8] = b"SBVHMESH";
 const VERSION: u32 = 1;

@@ -22,12 +22,10 @@ use serde_json::{Value, json};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Rng, Search, Source as _, Tape};
 use stackless_bvh::hash::mix;
+use stackless_bvh::internals::traverse::{AuxTables, ByWalk, WithCursor, WithWord, with_word};
 use stackless_bvh::key::{Grow, KeyWord};
 use stackless_bvh::order::{Flow, Pruning};
-use stackless_bvh::traverse::{
-    AuxTables, ByWalk, KeyTrail, Method, Next, Pause, Paused, Tables, WithCursor, WithWord, WordName, resume,
-    traverse_pruned, with_word,
-};
+use stackless_bvh::traverse::{KeyTrail, Method, Next, Pause, Paused, Tables, WordName, resume, traverse_pruned};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::{AllCases, Case, CaseOptions, Replay, Shard, boundary_cases};
 use stackless_suite::hex;

@@ -4,10 +4,11 @@ use std::path::Path;
 
 use stackless_bvh::bvh::{BuildError, BuildOptions, Bvh, WideBvh, WideError};
 use stackless_bvh::generate::procedural::View;
-use stackless_bvh::geom::kernel::Moller32;
-use stackless_bvh::geom::slabs::Plain;
 use stackless_bvh::geom::{Mesh, MeshError, Ray};
-use stackless_bvh::trace::{Hit, RayQueries, Search, Tracer};
+use stackless_bvh::internals::geom::kernel::Moller32;
+use stackless_bvh::internals::geom::slabs::Plain;
+use stackless_bvh::internals::trace::Search;
+use stackless_bvh::trace::{Hit, RayQueries, Tracer};
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_explain::{self as explain, ExplainError, USUAL};
 use stackless_scene::{SceneError, read_named};

@@ -1,7 +1,7 @@
 //! The page's answers are those of the library.
 
-use stackless_bvh::geom::kernel::Moller32;
-use stackless_bvh::geom::slabs::Plain;
+use stackless_bvh::internals::geom::kernel::Moller32;
+use stackless_bvh::internals::geom::slabs::Plain;
 use stackless_bvh::trace::{BinaryTracer, Hit, RayQueries};
 use stackless_bvh::traverse::Method;
 

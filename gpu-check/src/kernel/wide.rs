@@ -1,6 +1,7 @@
 //! Kernels for wide trees: nodes of up to eight children.
 
-use stackless_bvh::wide::{PendingStore, Ranked, Trail};
+use stackless_bvh::internals::wide::Ranked;
+use stackless_bvh::wide::{PendingStore, Trail};
 
 use super::{Driver, Kernel, Traversal};
 

@@ -1,7 +1,8 @@
 //! Level `hash`: lookups on the device in given tables, and tables that the device builds.
 
 use serde_json::{Value, json};
-use stackless_bvh::hash::{KeySet, Mix, Options, Sizing};
+use stackless_bvh::hash::Mix;
+use stackless_bvh::hash::{KeySet, Options, Sizing};
 use stackless_bvh::tree::{Reach, Tree};
 use stackless_suite::{Answer, Ask, Build, LookupTable};
 

@@ -1,6 +1,6 @@
 //! The trusted parts of the lemmas, compared with the compiled library on numbers, and tests that a lemma can fail.
 
-use stackless_bvh::hash::{Modulo, Reciprocal, TableSize};
+use stackless_bvh::internals::hash::{Modulo, Reciprocal, TableSize};
 use stackless_bvh::key::{KeyWord, Word};
 use stackless_bvh::trail;
 use z3::ast::{Ast, BV, Bool};

@@ -1,8 +1,9 @@
 //! A cursor that is paused and resumed before every step.
 
 use stackless_bvh::event::State;
+use stackless_bvh::internals::traverse::ByTable;
 use stackless_bvh::order::Descent;
-use stackless_bvh::traverse::{ByTable, Cursor, Next, Pause, Paused, Unsupported};
+use stackless_bvh::traverse::{Cursor, Next, Pause, Paused, Unsupported};
 use stackless_bvh::tree::Node;
 
 use crate::shape::{Computed, Shape};

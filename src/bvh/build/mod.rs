@@ -150,7 +150,7 @@ pub struct BuildOptions {
 /// The treatment of primitives that [cannot be hit](Primitives::can_be_hit).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Degenerate {
-    /// They are in the tree. Rays miss them, and they have nearest points. Inexact [tests](crate::trace::Accuracy) may
+    /// They are in the tree. Rays miss them, and they have nearest points. Inexact tests may
     /// hit them by rounding, and nearby rays test them unnecessarily.
     #[default]
     Kept,

@@ -5,7 +5,8 @@ use crate::bvh::validate::tests::cut;
 use crate::bvh::{BuildOptions, Builder, Degenerate, SahOptions, SpatialOptions, validate};
 use crate::generate::{Rng, Source, procedural, stress};
 use crate::geom::{Mesh, Ray};
-use crate::trace::{BinaryTracer, Closest64, RayQueries, truth};
+use crate::trace::search::Closest64;
+use crate::trace::{BinaryTracer, RayQueries, truth};
 use crate::traverse::{Method, Stack, traverse};
 
 /// Offsets of the header's words.

@@ -3,12 +3,16 @@
 //! [`Exact`] gives the answer of rational arithmetic. The other tests are common in renderers, and leak or err; `lab
 //! accuracy` measures their errors.
 
+#[cfg(any(test, feature = "internals"))]
 mod affine;
 mod bounds;
 mod exact;
+#[cfg(any(test, feature = "internals"))]
 mod moller;
+#[cfg(any(test, feature = "internals"))]
 mod woop;
 
+#[cfg(any(test, feature = "internals"))]
 pub use affine::{Affine, AffineTriangle};
 pub use bounds::{DETERMINANT, DISTANCE, EDGE, OFF, OFF_SIGN, QUOTIENT, QUOTIENT_FACTOR, SIGN};
 pub(crate) use exact::order_of_lines;
@@ -16,7 +20,9 @@ pub use exact::{
     Accumulator, Certainty, EnclosedTest, Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Parity,
 };
 pub(super) use exact::{Corrected, ExactOnce, FineDeterminants, USUAL, is_degenerate, two_product, two_sum};
+#[cfg(any(test, feature = "internals"))]
 pub use moller::{Moller32, Moller64};
+#[cfg(any(test, feature = "internals"))]
 pub use woop::Woop;
 
 use std::cmp::Ordering;

@@ -23,8 +23,9 @@ impl<R: Real> Foot<R> {
     ///
     /// ```
     /// use glam::Vec3;
-    /// use stackless_bvh::geom::truth::Place;
-    /// use stackless_bvh::geom::{Foot, Triangle};
+    /// use stackless_bvh::internals::geom::truth::Place;
+    /// use stackless_bvh::geom::Triangle;
+    /// use stackless_bvh::internals::geom::Foot;
     ///
     /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
     /// let foot = |x, y| Foot::of(&triangle, Vec3::new(x, y, 3.0));

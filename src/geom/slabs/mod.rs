@@ -8,6 +8,7 @@
 //! box and itself, so they agree in every bit.
 
 mod afar;
+#[cfg(any(test, feature = "internals"))]
 mod centred;
 pub(in crate::geom) mod directed;
 mod doubled;
@@ -17,6 +18,7 @@ mod entrance;
 mod framed;
 mod slabs64;
 
+#[cfg(any(test, feature = "internals"))]
 pub use centred::{Centred, PADDING, Plain, TwoSided};
 pub use directed::{Directed, STEPS};
 pub use enclosed::EnclosedSlabs;

@@ -11,7 +11,7 @@ use super::{Number, RBig, Vector, cross, dot, integers, minus, scale};
 /// The least of the distances to the three edges, and to the plane if the point is above the triangle.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, square_distance};
+/// use stackless_bvh::internals::geom::truth::{RBig, square_distance};
 ///
 /// let triangle = [[0.0_f32, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
 /// assert_eq!(square_distance(triangle, [1.0, 1.0, 0.5]), RBig::try_from(0.25).ok());
@@ -26,7 +26,7 @@ pub fn square_distance<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
 /// not finite. `[NEAR-3]`
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{nearest_point, round_f32};
+/// use stackless_bvh::internals::geom::truth::{nearest_point, round_f32};
 ///
 /// let triangle = [[0.0_f32, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
 /// let nearest = |point| nearest_point(triangle, point).map(|point| point.each_ref().map(round_f32));
@@ -45,7 +45,7 @@ pub fn nearest_point<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Option<
 /// is not finite. A triangle without area has several such weights at some points; then one is a zero. `[NEAR-9]`
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, nearest_weights};
+/// use stackless_bvh::internals::geom::truth::{RBig, nearest_weights};
 ///
 /// let triangle = [[0.0_f32, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 3.0, 0.0]];
 /// let half = RBig::from_parts(1.into(), 2u8.into());
@@ -60,7 +60,7 @@ pub fn nearest_weights<S: Number>(triangle: [[S; 3]; 3], point: [S; 3]) -> Optio
 /// corners run counterclockwise seen from where it points. `None` without an area, or if a coordinate is not finite.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::unit_normal;
+/// use stackless_bvh::internals::geom::truth::unit_normal;
 ///
 /// assert_eq!(unit_normal([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]]), Some([0.0, -0.5f64.sqrt(), 0.5f64.sqrt()]));
 /// assert_eq!(unit_normal([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0f32]]), None);
@@ -83,7 +83,7 @@ pub fn unit_normal<S: Number>(triangle: [[S; 3]; 3]) -> Option<[S; 3]> {
 /// is 0.
 ///
 /// ```
-/// use stackless_bvh::geom::truth::{RBig, round_root};
+/// use stackless_bvh::internals::geom::truth::{RBig, round_root};
 ///
 /// assert_eq!(round_root::<f32>(&RBig::from(2u8)), 2f32.sqrt());
 /// assert_eq!(round_root::<f64>(&RBig::from(2u8)), 2f64.sqrt());

@@ -7,7 +7,8 @@ use crate::bvh::SahOptions;
 use crate::generate::{procedural, stress};
 use crate::geom::truth::{round_root, square_distance};
 use crate::geom::{Ball, BallError};
-use crate::trace::{Near, TrueHit, truth};
+use crate::trace::truth::TrueHit;
+use crate::trace::{Near, truth};
 
 fn meshes() -> Vec<(Mesh, Vec<Ray>)> {
     let made = [procedural::soup(1, 60), procedural::strands(2, 4), procedural::soup(3, 1)];

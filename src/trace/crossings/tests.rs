@@ -4,7 +4,7 @@ use super::*;
 use crate::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use crate::generate::{procedural, stress};
 use crate::geom::{Aabb, Mesh};
-use crate::trace::{TrueHit, Truth};
+use crate::trace::truth::{TrueHit, Truth};
 use crate::traverse::{Stack, traverse};
 
 /// Returns trees. In the last one triangles are in several leaves.

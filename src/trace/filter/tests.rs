@@ -4,7 +4,8 @@ use super::*;
 use crate::bvh::{BuildOptions, Builder, Bvh, SpatialOptions, WideBvh};
 use crate::generate::draw::Draw;
 use crate::geom::Mesh;
-use crate::trace::{BinaryTracer, Tracer, TrueHit, Truth};
+use crate::trace::truth::{TrueHit, Truth};
+use crate::trace::{BinaryTracer, Tracer};
 use crate::traverse::Method;
 use crate::wide;
 

@@ -6,7 +6,8 @@ use super::*;
 use crate::bvh::{BuildOptions, Degenerate, SahOptions, validate};
 use crate::generate::{Rng, Source};
 use crate::geom::Mesh;
-use crate::trace::{AllHits64, Truth};
+use crate::trace::crossings::AllHits64;
+use crate::trace::truth::Truth;
 use crate::traverse::{Stack, traverse};
 
 /// Draws a number in -1..1 with 53 bits.

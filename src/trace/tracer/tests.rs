@@ -4,7 +4,8 @@ use crate::bvh::{BuildOptions, Builder, Bvh};
 use crate::generate::{double, procedural, stress};
 use crate::geom::{Mesh, Real as _, Triangle, lanes};
 use crate::order::{Descent, Flow, Visitor};
-use crate::trace::{BinaryTracer, Truth, WideCounters};
+use crate::trace::truth::Truth;
+use crate::trace::{BinaryTracer, WideCounters};
 use crate::traverse;
 
 fn bits<R: Into<f64>>(hit: Option<Hit<R>>) -> Option<(u32, [u64; 3])> {

@@ -5,7 +5,8 @@ use clap::builder::{PossibleValue, TypedValueParser};
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::{Aabb, Mesh, Ray};
-use stackless_bvh::trace::{Accuracy, Tracer};
+use stackless_bvh::internals::trace::Accuracy;
+use stackless_bvh::trace::Tracer;
 use stackless_bvh::wide::Topology as _;
 
 use super::wide::Manner;

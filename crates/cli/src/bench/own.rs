@@ -2,8 +2,11 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Builder, Bvh};
-use stackless_bvh::geom::{Kernel, Ray, Slabs};
-use stackless_bvh::trace::{self, Accuracy, BinaryTracer, KernelBvhs, KernelShape, RayQueries, WithTests};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::trace::{Accuracy, KernelBvhs, KernelShape, WithTests, with_level};
+use stackless_bvh::trace::{BinaryTracer, RayQueries};
 use stackless_bvh::traverse::{Method, Unsupported};
 use stackless_bvh::tree::{Recorded, Topology};
 
@@ -39,7 +42,7 @@ impl Trees {
         method: Method,
         accuracy: Accuracy,
     ) -> Result<Box<dyn Contestant + '_>, Unsupported> {
-        trace::with_level(accuracy, MakeRunner { trees: self, method, accuracy })
+        with_level(accuracy, MakeRunner { trees: self, method, accuracy })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::Accuracy;
+use stackless_bvh::internals::trace::Accuracy;
 use stackless_peers as peers;
 
 use super::{Contestant, timed};

@@ -4,7 +4,7 @@ use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::stress;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace;
+use stackless_bvh::internals::trace::{bounce, cut};
 
 use crate::input::Scene;
 use crate::judge::Query;
@@ -49,13 +49,11 @@ const REACH: f32 = 0.1;
 /// Occlusion rays have the directions of the diffuse rays (cosine distribution, like Binder & Keller and Barringer &
 /// Akenine-Möller).
 pub(super) fn sets(scene: &Scene, bvh: &Bvh, primary: Vec<Ray>, kinds: Vec<Kind>, seed: u64) -> Vec<Set> {
-    let diffuse = trace::bounce(&scene.mesh, bvh, &primary, seed);
+    let diffuse = bounce(&scene.mesh, bvh, &primary, seed);
     let reach = REACH * bvh.bounds().extent().length();
     let set = |kind| match kind {
         Kind::Primary => Set { kind, query: Query::Closest, rays: primary.clone() },
-        Kind::Any => {
-            Set { kind, query: Query::Any, rays: diffuse.iter().filter_map(|ray| trace::cut(ray, reach)).collect() }
-        }
+        Kind::Any => Set { kind, query: Query::Any, rays: diffuse.iter().filter_map(|ray| cut(ray, reach)).collect() },
         Kind::Diffuse => Set { kind, query: Query::Closest, rays: diffuse.clone() },
         Kind::Aimed => Set { kind, query: Query::Closest, rays: stress::aimed(&scene.mesh, seed, primary.len()) },
     };

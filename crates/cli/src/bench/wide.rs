@@ -4,9 +4,11 @@ use std::borrow::Borrow;
 use std::hint::black_box;
 
 use stackless_bvh::bvh::{Builder, WideBvh};
-use stackless_bvh::geom::lanes::{Level, Precision};
+use stackless_bvh::geom::Precision;
 use stackless_bvh::geom::{Ray, Real as _};
-use stackless_bvh::trace::{Accuracy, Hit, RayQueries, Tracer};
+use stackless_bvh::internals::geom::lanes::Level;
+use stackless_bvh::internals::trace::Accuracy;
+use stackless_bvh::trace::{Hit, RayQueries, Tracer};
 use stackless_bvh::wide::{Method, Topology};
 
 use super::{Contestant, timed};

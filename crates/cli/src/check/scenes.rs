@@ -7,10 +7,12 @@ use std::str::FromStr;
 use glam::DVec3;
 use serde_json::Value;
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::kernel::{Exact, Exact64};
-use stackless_bvh::geom::slabs::{Directed, Slabs64};
-use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs, Triangle, Vector};
-use stackless_bvh::trace::Truth;
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Mesh, MeshError, Ray, RayError, Triangle, Vector};
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::geom::kernel::{Exact, Exact64};
+use stackless_bvh::internals::geom::slabs::{Directed, Slabs64};
+use stackless_bvh::internals::trace::Truth;
 use stackless_check::{Plan, SceneDisagreement, SceneTree, Shard, check_scene};
 use stackless_scene::Position;
 

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use serde_json::json;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::Truth;
+use stackless_bvh::internals::trace::Truth;
 use stackless_check::Shard;
 
 use crate::input::Scene;

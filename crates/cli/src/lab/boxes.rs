@@ -1,7 +1,7 @@
 //! `lab boxes`: compares the box tests with rational arithmetic.
 
 use serde::{Deserialize, Serialize};
-use stackless_bvh::trace::SlabsName;
+use stackless_bvh::internals::trace::SlabsName;
 use stackless_check::{BoxTally, Shard, check_boxes};
 
 use crate::Outcome;

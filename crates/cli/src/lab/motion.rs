@@ -8,7 +8,8 @@ use serde::Serialize;
 use serde_json::json;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, Degenerate, WideBvh};
 use stackless_bvh::geom::{Aabb, Mesh, Ray};
-use stackless_bvh::trace::{self, Tracer};
+use stackless_bvh::internals::trace::bounce;
+use stackless_bvh::trace::Tracer;
 
 use crate::input::{self, Scene};
 use crate::output::{say, table};
@@ -117,7 +118,7 @@ fn measure(args: &Args, scene: &Scene) -> Result<Vec<Row>, Box<dyn std::error::E
         }
         let moved = Scene { name: scene.name.clone(), mesh: moved, faces: Vec::new() };
         let primary = args.place.of(&moved).rays(args.count as usize);
-        let rays = trace::bounce(&moved.mesh, &Bvh::build(&moved.mesh)?, &primary, args.seed);
+        let rays = bounce(&moved.mesh, &Bvh::build(&moved.mesh)?, &primary, args.seed);
         for follower in &mut followers {
             follower.take(&rays);
         }

@@ -9,7 +9,7 @@ use std::slice::from_ref;
 
 use serde_json::json;
 use stackless_bvh::bvh::Builder;
-use stackless_bvh::trace;
+use stackless_bvh::internals::trace::bounce;
 
 use crate::build;
 use crate::input::Scene;
@@ -48,7 +48,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let scene = Scene::load(&args.scene)?;
     let bvh = build::binary(args.build, &scene)?;
     let primary = args.place.of(&scene).rays(args.count as usize);
-    let time = time::measure(&bvh, &trace::bounce(&scene.mesh, &bvh, &primary, args.seed))?;
+    let time = time::measure(&bvh, &bounce(&scene.mesh, &bvh, &primary, args.seed))?;
     let plan = plan::measure(&scene.mesh, &bvh, &primary)?;
     let state = state::measure(&scene.mesh, &bvh, &primary, args.seed)?;
     say!("{}", time::to_table(&time));

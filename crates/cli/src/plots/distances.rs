@@ -1,6 +1,6 @@
 //! The chart of backtracking distances.
 
-use stackless_bvh::event::Backtracks;
+use stackless_bvh::internals::event::Backtracks;
 
 use super::canvas::{Canvas, Sample, legend, rectangle};
 use super::labels::Rect;

@@ -1,12 +1,14 @@
 //! Costs of rays, by traversal.
 
 use stackless_bvh::bvh::{Bvh, BvhTree};
-use stackless_bvh::event::Source;
 use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::internals::event::Source;
+use stackless_bvh::internals::trace::{AnyByNode, ClosestByNode, Query};
+use stackless_bvh::internals::traverse::{Need, WithWord, with_word};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Pruned;
-use stackless_bvh::trace::{AnyByNode, BinaryTracer, ClosestByNode, Query};
-use stackless_bvh::traverse::{Method, Need, Tables, Unsupported, WithWord, with_word};
+use stackless_bvh::trace::BinaryTracer;
+use stackless_bvh::traverse::{Method, Tables, Unsupported};
 use stackless_bvh::tree::Implicit;
 use stackless_check::{Reads, Steps, Watched};
 

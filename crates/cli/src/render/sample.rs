@@ -4,7 +4,8 @@ use glam::Vec3;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::Rng;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{self, Hit, RayQueries, Tracer};
+use stackless_bvh::internals::trace::{cut, reflect};
+use stackless_bvh::trace::{Hit, RayQueries, Tracer};
 
 use crate::camera::Camera;
 use crate::input::Scene;
@@ -93,7 +94,7 @@ impl Samples<'_> {
         let needs_hit = matches!(self.rays, Rays::Ao | Rays::Diffuse);
         let bounced = || {
             let hit = self.tracer.closest(&primary);
-            let ray = trace::reflect(&self.scene.mesh, &primary, hit.as_ref()?, rng);
+            let ray = reflect(&self.scene.mesh, &primary, hit.as_ref()?, rng);
             Some((hit, ray))
         };
         match needs_hit.then(bounced) {
@@ -101,7 +102,7 @@ impl Samples<'_> {
             Some(None) => Sample { primary, hit: None, traced: None },
             Some(Some((hit, ray))) => {
                 let reach = REACH * self.bvh.bounds().extent().length();
-                let traced = if self.rays == Rays::Ao { ray.and_then(|ray| trace::cut(&ray, reach)) } else { ray };
+                let traced = if self.rays == Rays::Ao { ray.and_then(|ray| cut(&ray, reach)) } else { ray };
                 Sample { primary, hit, traced }
             }
         }

@@ -3,8 +3,9 @@
 use serde::Serialize;
 use stackless_bvh::bvh::Builder;
 use stackless_bvh::geom::Ray;
-use stackless_bvh::geom::lanes::Block;
-use stackless_bvh::trace::{Choice, Need, Tracer, WideCounters};
+use stackless_bvh::internals::geom::lanes::Block;
+use stackless_bvh::internals::trace::WideCounters;
+use stackless_bvh::trace::{Choice, Need, Tracer};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Topology};
 

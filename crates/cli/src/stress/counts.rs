@@ -1,7 +1,7 @@
 //! The counts of `stackless stress`.
 
 use serde::{Deserialize, Serialize};
-use stackless_bvh::trace::Accuracy;
+use stackless_bvh::internals::trace::Accuracy;
 use stackless_check::Errors;
 
 use crate::output::{count, detail, say, table};

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::trace::{Accuracy, Truth};
+use stackless_bvh::internals::trace::{Accuracy, Truth};
 
 use crate::support::{Folder, read_json, stackless};
 

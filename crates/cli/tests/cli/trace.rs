@@ -6,7 +6,8 @@ use std::path::Path;
 use glam::{DVec3, Vec3};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{Hit, Truth};
+use stackless_bvh::internals::trace::Truth;
+use stackless_bvh::trace::Hit;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::wide;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use serde_json::Value;
-use stackless_bvh::trace::{KernelName, SlabsName};
+use stackless_bvh::internals::trace::{KernelName, SlabsName};
 
 use super::lab;
 use super::support::{Folder, data, read_json};

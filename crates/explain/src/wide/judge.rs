@@ -4,8 +4,9 @@ use super::observe::{self, Back, LevelState, Log, Seen};
 use super::places::{Places, children};
 use super::text;
 use crate::{By, ExplainError, HashLookup, Next, Step};
+use stackless_bvh::internals::wide::StateView;
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Method, Search, StateView, Tables, Topology, Tree, is_beyond};
+use stackless_bvh::wide::{Method, Search, Tables, Topology, Tree, is_beyond};
 
 /// The oracle's run, and lookups of the tree's nodes.
 #[derive(Debug)]

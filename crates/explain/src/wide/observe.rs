@@ -5,12 +5,12 @@ use std::cell::{Cell, RefCell};
 use super::places::Places;
 use crate::ExplainError;
 use stackless_bvh::event::{Recorder, State};
+use stackless_bvh::internals::wide::{Context, Scratch, StateView, Supply};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    Context, Cursor, Method, Next, Ranks, Scratch, Search, StateView, Supply, Tables, Topology, Tree, Unsupported,
-    Wanted, advance, oracle,
+    Cursor, Method, Next, Ranks, Search, Tables, Topology, Tree, Unsupported, Wanted, advance, oracle,
 };
 
 /// The observations from one visit to the next.

@@ -2,8 +2,8 @@
 
 use super::observe::{Log, Seen};
 use super::*;
+use stackless_bvh::internals::wide::StateView;
 use stackless_bvh::trace::RayQueries;
-use stackless_bvh::wide::StateView;
 
 fn compare(method: Method, change: impl FnOnce(&mut Vec<Seen>)) -> Result<usize, (&'static str, usize)> {
     let case = example();

@@ -4,8 +4,9 @@ use super::judge::Judge;
 use super::observe::{Back, LevelState, Seen};
 use crate::text::looked_up;
 use crate::{By, Next};
+use stackless_bvh::internals::wide::StateView;
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::{Method, StateView};
+use stackless_bvh::wide::Method;
 
 /// Returns the name of a node: its key in base A, so each digit except the first is a slot. For A = 2 the name is
 /// decimal, as in binary trees.

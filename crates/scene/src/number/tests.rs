@@ -1,4 +1,4 @@
-use stackless_bvh::geom::truth::{Number as _, RBig};
+use stackless_bvh::internals::geom::truth::{Number as _, RBig};
 
 use super::*;
 use crate::tests::Random;

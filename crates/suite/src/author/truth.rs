@@ -143,7 +143,7 @@ mod tests {
     use super::super::ray::scene;
     use super::*;
     use stackless_bvh::generate::{Rng, Source, stress};
-    use stackless_bvh::trace::truth;
+    use stackless_bvh::internals::trace::brute_force;
 
     #[test]
     fn quotients_are_rounded_once() {
@@ -184,7 +184,7 @@ mod tests {
         for case in stress::cases(6).filter(|case| case.mesh.triangles().len() < 200) {
             let (mesh, rays) = scene(&case);
             for (ray, plain) in case.rays.iter().zip(&rays) {
-                let expected = truth::brute_force(&case.mesh, ray).into_iter().map(|hit| hit.rounded());
+                let expected = brute_force(&case.mesh, ray).into_iter().map(|hit| hit.rounded());
                 let expected: Vec<_> = expected.map(|hit| (hit.prim, hit.t, hit.u, hit.v)).collect();
                 let found: Vec<_> = mesh.hits(plain).iter().map(|hit| (hit.prim, hit.t, hit.u, hit.v)).collect();
                 assert_eq!(found, expected, "{}", case.name);

@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 
 use super::author::PROFILES;
 use super::{Answer, Ask, Feature, Hello, Implementation, Level, Limits, PROTOCOL};
-use stackless_bvh::trace::Accuracy;
+use stackless_bvh::internals::trace::Accuracy;
 use stackless_bvh::traverse::{Method, Test, WordName};
 use stackless_bvh::wide::Method as WideMethod;
 

@@ -7,8 +7,11 @@ use crate::ask::Rays;
 use crate::text::{hit, parse_floats};
 use crate::{Answer, Ask, Query};
 use stackless_bvh::bvh::{Bvh, SahOptions};
-use stackless_bvh::geom::{Kernel, Mesh, MeshError, Ray, RayError, Slabs};
-use stackless_bvh::trace::{Accuracy, BinaryTracer, Hit, KernelShape, MeshQueries, Search, WithTests, with_level};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Mesh, MeshError, Ray, RayError};
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::trace::{Accuracy, KernelShape, Search, WithTests, with_level};
+use stackless_bvh::trace::{BinaryTracer, Hit, MeshQueries};
 use stackless_bvh::traverse::{Stack, traverse};
 
 pub(super) fn answer(accuracy: Accuracy, ask: &Ask) -> Option<Answer> {

@@ -5,10 +5,9 @@ use serde_json::{Value, json};
 use super::text::{hex, word};
 use crate::ask::{Build, LookupTable};
 use crate::{Answer, Ask};
-use stackless_bvh::hash::{
-    self, BuildError, KeySet, Mix, Modulo, Options, PerfectHash, Reciprocal, Sizing, TableSize, decode, encode, fold,
-    is_address, wrap,
-};
+use stackless_bvh::hash::Mix;
+use stackless_bvh::hash::{BuildError, KeySet, Options, PerfectHash, Sizing, fold};
+use stackless_bvh::internals::hash::{Header, Modulo, Reciprocal, TableSize, decode, encode, is_address, wrap};
 use stackless_bvh::key::Grow;
 use stackless_bvh::tree::{Keys, Node, Reach, Topology, Tree};
 
@@ -88,7 +87,7 @@ fn build(Build { children, reach, sizes }: &Build) -> Option<Answer> {
         Err(BuildError::NoDisplacement { .. }) => return Some(Answer::Reject("no-table".to_owned())),
         Err(_) => return None,
     };
-    let hash::Header { mix, displacements, cells, fold_seed, .. } = *hash.header();
+    let Header { mix, displacements, cells, fold_seed, .. } = *hash.header();
     if sizes.is_some_and(|sizes| sizes != [displacements, cells.get()]) {
         return None;
     }

@@ -7,11 +7,10 @@ use crate::ask::{Best, Walk};
 use crate::{Answer, Ask, Children, Feature, Start, WalkError};
 use stackless_bvh::event::{Recorder, State, Trace};
 use stackless_bvh::generate::{Cell, Search, Tape};
+use stackless_bvh::internals::traverse::{ByWalk, WithWord, with_word};
 use stackless_bvh::key::{self, Grow, KeyWord, TooDeep, Word as _};
 use stackless_bvh::order::Flow;
-use stackless_bvh::traverse::{
-    ByWalk, KeyOnly, KeyTrail, Method, Next, Paused, Tables, Test, Unsupported, WithWord, WordName, with_word,
-};
+use stackless_bvh::traverse::{KeyOnly, KeyTrail, Method, Next, Paused, Tables, Test, Unsupported, WordName};
 use stackless_bvh::tree::{Keys, Node, Topology, Tree};
 use stackless_check::GoOn;
 

@@ -9,12 +9,12 @@ use crate::protocol::WideLimits;
 use crate::scripted::{Noted, ScriptedSearch, wide_events};
 use crate::{Answer, Ask, Start, WideChildren};
 use stackless_bvh::event::{Recorder as _, State};
+use stackless_bvh::internals::wide::{Context, Scratch, Supply, asked_keys};
 use stackless_bvh::key::Grow;
 use stackless_bvh::order::Flow;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{
-    Context, Cursor, Method, Next, Scratch, Search as _, Supply, Tables, Topology as _, Tree, Unsupported, Wanted,
-    advance, asked_keys,
+    Cursor, Method, Next, Search as _, Tables, Topology as _, Tree, Unsupported, Wanted, advance,
 };
 
 /// Levels of the deepest chain tried.

@@ -8,7 +8,8 @@ use super::*;
 use crate::bvh::{Bvh, BvhError, validate};
 use crate::generate::{procedural, stress};
 use crate::geom::{Aabb, Mesh, Ray, Triangle};
-use crate::trace::{Closest, Hit, Truth};
+use crate::trace::truth::Truth;
+use crate::trace::{Closest, Hit};
 use crate::traverse::{Stack, traverse};
 use crate::tree::Topology;
 

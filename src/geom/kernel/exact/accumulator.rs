@@ -14,7 +14,7 @@ use super::predicates::Pairs;
 ///
 /// ```
 /// use std::cmp::Ordering;
-/// use stackless_bvh::geom::kernel::Accumulator;
+/// use stackless_bvh::internals::geom::kernel::Accumulator;
 ///
 /// let mut sum = Accumulator::new();
 /// for factors in [[1e300; 3], [5e-324; 3], [-1e300, 1e300, 1e300]] {

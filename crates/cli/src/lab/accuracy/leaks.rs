@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 use stackless_bvh::generate::stress;
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::Truth;
+use stackless_bvh::internals::trace::Truth;
 
 use super::pairs::{Pair, Trees};
 use super::rows::{Kind, Row};

@@ -2,11 +2,13 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
-use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray, Slabs};
-use stackless_bvh::order::{ByNode, LeftOrder};
-use stackless_bvh::trace::{
-    self, Accuracy, KernelBvhs, KernelName, KernelShape, NodeSearch, Search, SlabsName, WithTests,
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Aabb, Mesh, Ray};
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::trace::{
+    Accuracy, KernelBvhs, KernelName, KernelShape, NodeSearch, Search, SlabsName, WithTests, with_tests,
 };
+use stackless_bvh::order::{ByNode, LeftOrder};
 use stackless_bvh::traverse::{Stack, traverse};
 use stackless_bvh::tree::Node;
 
@@ -34,7 +36,7 @@ impl Pair {
     /// All pairs.
     pub(super) fn all() -> Vec<Self> {
         let pairs = KernelName::ALL.into_iter().flat_map(|kernel| SlabsName::ALL.map(|slabs| (kernel, slabs)));
-        pairs.map(|tests| trace::with_tests(tests, MakePair(tests))).collect()
+        pairs.map(|tests| with_tests(tests, MakePair(tests))).collect()
     }
 
     fn searches(&self, query: Query) -> &Searches {

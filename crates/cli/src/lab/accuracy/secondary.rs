@@ -8,7 +8,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::geom::{Ends, ExactPoint, Mesh, Ray, Triangle};
-use stackless_bvh::trace::{self, Assembly, BinaryTracer, Hit, InstanceTracer, RayQueries, Tracer, Truth};
+use stackless_bvh::internals::trace::{Truth, reflect};
+use stackless_bvh::trace::{Assembly, BinaryTracer, Hit, InstanceTracer, RayQueries, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_check::Shard;
 
@@ -268,7 +269,7 @@ fn bounces(
         let hit = tracer.closest(&primary)?;
         let corners = scene.mesh.triangle(hit.prim as usize);
         let mut rng = rng_of(args.seed, pixel as u64);
-        let direction = trace::reflect(&scene.mesh, &primary, &hit, &mut rng)?.direction();
+        let direction = reflect(&scene.mesh, &primary, &hit, &mut rng)?.direction();
         let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).try_normalize()?;
         let normal = if normal.dot(primary.direction()) > 0.0 { -normal } else { normal };
         let tmax = reach / direction.length();

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use stackless_bvh::generate::procedural::View;
 use stackless_bvh::generate::{Rng, stress};
 use stackless_bvh::geom::Ray;
-use stackless_bvh::trace::{self, Closest};
+use stackless_bvh::internals::trace::{Closest, reflect};
 use stackless_bvh::traverse::{Stack, traverse};
 
 use super::pairs::Trees;
@@ -42,7 +42,7 @@ pub(super) fn sets(
         let mut search = Closest::new(trees.by_area(), &ray);
         traverse(Stack::new(trees.by_area(), memory), &mut search, &mut ());
         let mut rng = rng_of(seed, number);
-        Some((number, trace::reflect(&scene.mesh, &ray, &search.hit()?, &mut rng)?))
+        Some((number, reflect(&scene.mesh, &ray, &search.hit()?, &mut rng)?))
     };
     let diffuse: Vec<_> = primary.par_iter().map_init(Vec::new, diffuse).flatten().collect();
     progress.finish_and_clear();

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::plots::{Choice, Errors, front, plot_pareto};
-use stackless_bvh::trace::Accuracy;
+use stackless_bvh::internals::trace::Accuracy;
 
 use super::pairs::BASELINE;
 use super::rows::{Kind, Row};

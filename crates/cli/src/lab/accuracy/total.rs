@@ -1,7 +1,7 @@
 //! The counts of `lab accuracy`, in records of runs and of parts.
 
 use serde::{Deserialize, Serialize};
-use stackless_bvh::trace::Accuracy;
+use stackless_bvh::internals::trace::Accuracy;
 
 use super::rows::Row;
 use super::secondary::{EXACT, SecondaryRow};

@@ -5,7 +5,8 @@ use std::hint::black_box;
 use serde::Serialize;
 use stackless_bvh::bvh::{BuildOptions, Bvh};
 use stackless_bvh::geom::{Mesh, Ray};
-use stackless_bvh::trace::{self, BinaryTracer, Part, PartialHit, Plan, QueryKind};
+use stackless_bvh::internals::trace::bounce;
+use stackless_bvh::trace::{BinaryTracer, Part, PartialHit, Plan, QueryKind};
 use stackless_bvh::traverse::{Method, Unsupported};
 
 use crate::output::{Table, grouped, table};
@@ -30,7 +31,7 @@ const ROUNDS: usize = 5;
 /// Measures the decisions for any-hit and closest-hit queries by `hashed`, one by one and together. Fails if answers
 /// differ.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<Row>, Box<dyn std::error::Error>> {
-    let bounced = trace::bounce(mesh, bvh, rays, 1);
+    let bounced = bounce(mesh, bvh, rays, 1);
     let mut rows = Vec::new();
     for (query, ask, rays) in [("any hit", QueryKind::Any, &*bounced), ("closest hit", QueryKind::Distance, rays)] {
         let lean = Plan::new(bvh, Method::Hashed, ask);

@@ -4,11 +4,13 @@ use rayon::prelude::*;
 use serde::Serialize;
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::Rng;
-use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::slabs::Directed;
-use stackless_bvh::geom::{Kernel, Mesh, Ray};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::internals::geom::kernel::Exact;
+use stackless_bvh::internals::geom::slabs::Directed;
+use stackless_bvh::internals::trace::{Any, Counters, reflect};
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::trace::{self, Any, BinaryTracer, Continuation, Counters, Place, Plan, QueryKind};
+use stackless_bvh::trace::{BinaryTracer, Continuation, Place, Plan, QueryKind};
 use stackless_bvh::traverse::{Method, Stack, Unsupported, traverse};
 use stackless_bvh::tree::Node;
 
@@ -67,7 +69,7 @@ pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Res
 /// A diffuse ray from the hit of `ray`.
 fn step(mesh: &Mesh, continuation: &Continuation<'_, &Bvh, Exact, Directed>, ray: &Ray, seed: u64) -> Option<Step> {
     let (hit, place) = continuation.closest(ray, None)?;
-    Some((trace::reflect(mesh, ray, &hit, &mut Rng::new(seed))?, place))
+    Some((reflect(mesh, ray, &hit, &mut Rng::new(seed))?, place))
 }
 
 /// Finds all hits of each ray one by one, either from the root each time, or resuming the search.

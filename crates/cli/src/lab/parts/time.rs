@@ -4,15 +4,17 @@ use std::hint::black_box;
 
 use serde::Serialize;
 use stackless_bvh::bvh::{Bvh, BvhTree};
-use stackless_bvh::geom::kernel::Exact;
-use stackless_bvh::geom::slabs::Directed;
-use stackless_bvh::geom::{Kernel, Ray, Slabs};
+use stackless_bvh::geom::Kernel;
+use stackless_bvh::geom::Ray;
+use stackless_bvh::internals::geom::Slabs;
+use stackless_bvh::internals::geom::kernel::Exact;
+use stackless_bvh::internals::geom::slabs::Directed;
+use stackless_bvh::internals::trace::Closest;
+use stackless_bvh::internals::traverse::{WithCursor, WithWord, with_word};
 use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Flow, Unpruned, Visitor};
-use stackless_bvh::trace::{BinaryTracer, Closest};
-use stackless_bvh::traverse::{
-    Method, Pause, Stack, Tables, Unsupported, WithCursor, WithWord, traverse, traverse_pruned, with_word,
-};
+use stackless_bvh::trace::BinaryTracer;
+use stackless_bvh::traverse::{Method, Pause, Stack, Tables, Unsupported, traverse, traverse_pruned};
 use stackless_bvh::tree::{Implicit, Node, Recorded};
 
 use crate::output::{Table, table};

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use stackless_bvh::trace::{Counters, InstanceCounts, WideCounters};
+use stackless_bvh::internals::trace::{Counters, WideCounters};
+use stackless_bvh::trace::InstanceCounts;
 
 /// The nodes and triangles of a query.
 pub(super) struct Met {
