@@ -102,7 +102,7 @@ fn planted_bugs_are_caught() {
     let batches = (Batch::new(&gpu, cases(1024, 1)).unwrap(), wide_batch(&gpu, 1024));
     let missed = planted::shown_by(ShownBy::Tapes).filter(|bug| planted::hunt(&gpu, &batches, bug).unwrap() == 0);
     let missed_by_rays = planted::shown_by(ShownBy::Rays).filter(|bug| planted::hunt_rays(&gpu, bug).unwrap() == 0);
-    let missed: Vec<_> = missed.chain(missed_by_rays).map(|bug| (bug.kernel, bug.name)).collect();
+    let missed: Vec<_> = missed.chain(missed_by_rays).map(|bug| (&bug.kernel, &bug.name)).collect();
     assert_eq!(missed, []);
 }
 
