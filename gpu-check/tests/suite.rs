@@ -8,7 +8,7 @@ use gpu_check::Gpu;
 use gpu_check::kernel::Kernel;
 use gpu_check::planted::{self, SHADERS, Shader, ShownBy};
 use gpu_check::suite::Adapter;
-use stackless_suite::{Implementation as _, Profile, RunError, Runner, Suite, SuiteCase, Waivers, judge};
+use stackless_suite::{Implementation as _, Profile, Runner, Suite, SuiteCase, Waivers, judge};
 
 /// Loaded once, because every bug runs a part of it.
 static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::shipped().unwrap());
@@ -134,12 +134,4 @@ fn a_planted_bug_is_an_adapter() {
     let bug = "zeros of the second word without those of the first";
     let report = runner(&suite, command(&["suite", "--kernel", "hashed/64", "--planted", bug])).run(|_| {}).unwrap();
     assert!(report.hello.name.contains(bug) && !report.is_conforming());
-}
-
-#[test]
-fn without_an_adapter_nothing_is_answered() {
-    match runner(&SUITE, command(&["--adapter", "none of this name", "suite"])).run(|_| {}) {
-        Err(RunError::Hello { what, .. }) => assert!(what.contains("exit status: 3"), "{what}"),
-        other => panic!("{other:?}"),
-    }
 }
