@@ -80,8 +80,9 @@ pub fn rays(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
             let triangle = mesh.triangle(rng.below(mesh.triangles().len() as u64) as usize);
             let direction = match i % 4 {
                 0 => {
-                    let axis = rng.below(3) as usize;
-                    Vec3::ZERO.with_axis(axis, if rng.coin() { 1.0 } else { -1.0 })
+                    let mut along = Vec3::ZERO;
+                    along[rng.below(3) as usize] = if rng.coin() { 1.0 } else { -1.0 };
+                    along
                 }
                 1 => triangle[rng.below(3) as usize] - o,
                 2 => triangle[0] + triangle[1] - 2.0 * o,
@@ -120,17 +121,6 @@ pub fn view(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
 /// Bits 0, 2, 4 and so on: a coordinate of a Morton code.
 fn even_bits(code: u64) -> u32 {
     (0..32).map(|i| ((code >> (2 * i) & 1) as u32) << i).sum()
-}
-
-trait WithAxis {
-    fn with_axis(self, axis: usize, value: f32) -> Self;
-}
-
-impl WithAxis for Vec3 {
-    fn with_axis(mut self, axis: usize, value: f32) -> Self {
-        self[axis] = value;
-        self
-    }
 }
 
 fn range(rng: &mut Rng, reach: i32) -> i32 {

@@ -1,8 +1,5 @@
 //! The checks of the command, on the available device. Without a device the tests fail, because nothing is checked.
 
-use std::process::Command;
-use std::time::Duration;
-
 use glam::Vec3;
 use gpu_check::bench::{self, Setting};
 use gpu_check::kernel::{Kernel, Table};
@@ -103,7 +100,7 @@ fn planted_bugs_are_caught() {
     let batches = (Batch::new(&gpu, cases(1024, 1)).unwrap(), wide_batch(&gpu, 1024));
     let missed = planted::shown_by(ShownBy::Tapes).filter(|bug| planted::hunt(&gpu, &batches, bug).unwrap() == 0);
     let missed_by_rays = planted::shown_by(ShownBy::Rays).filter(|bug| planted::hunt_rays(&gpu, bug).unwrap() == 0);
-    let missed: Vec<_> = missed.chain(missed_by_rays).map(|bug| (bug.kernel, bug.name)).collect();
+    let missed: Vec<_> = missed.chain(missed_by_rays).map(|bug| (&bug.kernel, &bug.name)).collect();
     assert_eq!(missed, []);
 }
 
@@ -294,30 +291,4 @@ fn what_the_device_refuses_is_an_error() {
     assert_eq!(too_large.unwrap_err().exit_code(), 3);
     // The device still works.
     assert!(probe::probe(&gpu).is_ok());
-}
-
-#[test]
-fn a_lost_device_is_an_error() {
-    let gpu = gpu();
-    gpu.lose();
-    let error = probe::probe(&gpu).unwrap_err();
-    assert!(matches!(error, GpuError::Lost(_)), "{error:?}");
-}
-
-#[test]
-fn nothing_hangs() {
-    let gpu = gpu().with_patience(Duration::ZERO);
-    let error = (0..20).find_map(|_| Batch::new(&gpu, cases(512, 1)).err()).unwrap();
-    assert!(matches!(error, GpuError::Timeout(_)), "{error:?}");
-}
-
-#[test]
-fn without_an_adapter_nothing_passes() {
-    let run = |arguments: &[&str]| Command::new(env!("CARGO_BIN_EXE_gpu-check")).args(arguments).output().unwrap();
-    for command in ["tapes", "rays", "probe", "planted", "suite"] {
-        let output = run(&["--adapter", "none of this name", command]);
-        let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        assert_eq!((output.status.code(), text.contains("pass")), (Some(3), false), "{command}: {text}");
-        assert!(String::from_utf8_lossy(&output.stderr).contains("unsupported: "));
-    }
 }

@@ -94,14 +94,20 @@ fn a_device_that_does_not_answer_is_not_waited_for() {
 }
 
 #[test]
-fn without_a_driver_nothing_passes() {
-    for command in ["tapes", "rays", "suite", "bench"] {
-        let mut program = Command::new(env!("CARGO_BIN_EXE_gpu-check"));
-        // The Vulkan loader reads this instead of the list of drivers.
-        let none = [("VK_DRIVER_FILES", "no-such-driver.json"), ("VK_ICD_FILENAMES", "no-such-driver.json")];
-        let output = program.arg(command).envs(none).output().unwrap();
-        let [said, error] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
-        assert_eq!((output.status.code(), said.contains("pass")), (Some(3), false), "{command}: {said}{error}");
-        assert!(error.contains("unsupported: no Vulkan adapter"), "{command}: {error}");
+fn without_an_adapter_nothing_passes() {
+    // The Vulkan loader reads this instead of the list of drivers.
+    let none = [("VK_DRIVER_FILES", "no-such-driver.json"), ("VK_ICD_FILENAMES", "no-such-driver.json")];
+    for command in ["tapes", "rays", "probe", "planted", "suite", "bench"] {
+        let program = || Command::new(env!("CARGO_BIN_EXE_gpu-check"));
+        let [mut unnamed, mut driverless] = [program(), program()];
+        unnamed.args(["--adapter", "none of this name", command]);
+        driverless.arg(command).envs(none);
+        for (mut program, what) in [(unnamed, "unsupported: "), (driverless, "unsupported: no Vulkan adapter")] {
+            let output = program.output().unwrap();
+            let [said, error] =
+                [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+            assert_eq!((output.status.code(), said.contains("pass")), (Some(3), false), "{command}: {said}{error}");
+            assert!(error.contains(what), "{command}: {error}");
+        }
     }
 }

@@ -19,7 +19,10 @@ mod memory;
 mod queries;
 mod scene;
 #[allow(unsafe_code, reason = "C calls it, with pointers")]
-pub mod single;
+pub mod single {
+    //! C functions for scenes in single precision: [`double`](super::double) with other names, by `build.rs`.
+    include!(concat!(env!("OUT_DIR"), "/single.rs"));
+}
 mod types;
 #[allow(unsafe_code, reason = "reads the points of rays through the pointers of the caller")]
 mod ways;

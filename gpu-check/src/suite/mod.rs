@@ -171,7 +171,7 @@ impl Device<'_> {
     }
 
     fn edited(&self, text: String) -> String {
-        self.bug.map_or(text.clone(), |bug| text.replace(bug.from, bug.to))
+        self.bug.map_or(text.clone(), |bug| text.replace(&bug.old, &bug.new))
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use serde_json::{Value, json};
 
 use stackless_bvh::generate::{Cell, Tape};
-use stackless_bvh::key::{Grow, KeyWord as _, Word as _};
+use stackless_bvh::key::Grow;
 use stackless_bvh::tree::{Keys, Node, Topology as _, Tree};
 use stackless_suite::{Answer, Ask, WalkError};
 
@@ -178,12 +178,7 @@ impl<'t> Names<'t> {
 
     fn key(&self, address: u32) -> String {
         let Some(&node) = self.nodes.get(&address) else { return format!("? {address:x}") };
-        let (mut rest, mut digits) = (self.keys.key::<Grow>(self.tree.slot(node)), Vec::new());
-        while !rest.is_zero() {
-            digits.push(char::from_digit(rest.low_bits() & 15, 16).unwrap_or('?'));
-            rest = (0..4).fold(rest, |rest, _| rest.shr1());
-        }
-        digits.into_iter().rev().collect()
+        stackless_suite::hex(&self.keys.key::<Grow>(self.tree.slot(node)))
     }
 
     fn register(&self, address: u32) -> Value {

@@ -3,18 +3,19 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
-#[derive(Clone, Copy)]
-pub(crate) struct DVec3 {
-    pub(crate) x: f64,
-    pub(crate) y: f64,
-    pub(crate) z: f64,
+pub(crate) use double::Vector as DVec3;
+pub(crate) use single::Vector as Vec3;
+
+mod single {
+    type Number = f32;
+
+    include!("glam/vector.rs");
 }
 
-#[derive(Clone, Copy)]
-pub(crate) struct Vec3 {
-    pub(crate) x: f32,
-    pub(crate) y: f32,
-    pub(crate) z: f32,
+mod double {
+    type Number = f64;
+
+    include!("glam/vector.rs");
 }
 
 #[derive(Clone, Copy)]
@@ -27,9 +28,9 @@ pub(crate) struct Vec4 {
 
 #[derive(Clone, Copy)]
 pub(crate) struct BVec3 {
-    x: bool,
-    y: bool,
-    z: bool,
+    pub(crate) x: bool,
+    pub(crate) y: bool,
+    pub(crate) z: bool,
 }
 
 #[derive(Clone, Copy)]
@@ -42,73 +43,18 @@ pub(crate) struct BVec4 {
 }
 
 impl DVec3 {
-    pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, z: 0.0 };
     pub(crate) const NAN: Self = Self { x: f64::NAN, y: f64::NAN, z: f64::NAN };
-
-    pub(crate) const fn new(x: f64, y: f64, z: f64) -> Self {
-        Self { x, y, z }
-    }
-
-    pub(crate) fn to_array(self) -> [f64; 3] {
-        [self.x, self.y, self.z]
-    }
 
     pub(crate) fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.x), f(self.y), f(self.z))
-    }
-
-    pub(crate) fn dot(self, rhs: Self) -> f64 {
-        (self.x * rhs.x) + (self.y * rhs.y) + (self.z * rhs.z)
     }
 
     pub(crate) fn length(self) -> f64 {
         self.dot(self).sqrt()
     }
 
-    pub(crate) fn cross(self, rhs: Self) -> Self {
-        Self::new(self.y * rhs.z - rhs.y * self.z, self.z * rhs.x - rhs.z * self.x, self.x * rhs.y - rhs.x * self.y)
-    }
-
-    pub(crate) fn abs(self) -> Self {
-        Self::new(self.x.abs(), self.y.abs(), self.z.abs())
-    }
-
-    pub(crate) fn recip(self) -> Self {
-        Self::new(1.0 / self.x, 1.0 / self.y, 1.0 / self.z)
-    }
-
-    /// For numbers except NaN, and up to the sign of zero. The order is that of glam 0.34.3; 0.34.2 has another.
-    pub(crate) fn max_element(self) -> f64 {
-        let max = |a: f64, b: f64| if a > b { a } else { b };
-        max(max(self.x, self.y), self.z)
-    }
-
     pub(crate) fn cmplt(self, rhs: Self) -> BVec3 {
         BVec3 { x: self.x < rhs.x, y: self.y < rhs.y, z: self.z < rhs.z }
-    }
-
-    pub(crate) fn select(mask: BVec3, if_true: Self, if_false: Self) -> Self {
-        Self::new(
-            if mask.x { if_true.x } else { if_false.x },
-            if mask.y { if_true.y } else { if_false.y },
-            if mask.z { if_true.z } else { if_false.z },
-        )
-    }
-}
-
-impl Sub for DVec3 {
-    type Output = Self;
-
-    fn sub(self, rhs: Self) -> Self {
-        Self::new(self.x - rhs.x, self.y - rhs.y, self.z - rhs.z)
-    }
-}
-
-impl Add for DVec3 {
-    type Output = Self;
-
-    fn add(self, rhs: Self) -> Self {
-        Self::new(self.x + rhs.x, self.y + rhs.y, self.z + rhs.z)
     }
 }
 
@@ -120,25 +66,8 @@ impl Add<f64> for DVec3 {
     }
 }
 
-impl Mul<f64> for DVec3 {
-    type Output = Self;
-
-    fn mul(self, rhs: f64) -> Self {
-        Self::new(self.x * rhs, self.y * rhs, self.z * rhs)
-    }
-}
-
 impl Vec3 {
-    pub(crate) const ZERO: Self = Self { x: 0.0, y: 0.0, z: 0.0 };
     pub(crate) const INFINITY: Self = Self { x: f32::INFINITY, y: f32::INFINITY, z: f32::INFINITY };
-
-    pub(crate) const fn new(x: f32, y: f32, z: f32) -> Self {
-        Self { x, y, z }
-    }
-
-    pub(crate) fn to_array(self) -> [f32; 3] {
-        [self.x, self.y, self.z]
-    }
 
     pub(crate) fn extend(self, w: f32) -> Vec4 {
         Vec4::new(self.x, self.y, self.z, w)
@@ -146,22 +75,6 @@ impl Vec3 {
 
     pub(crate) fn as_dvec3(self) -> DVec3 {
         DVec3::new(f64::from(self.x), f64::from(self.y), f64::from(self.z))
-    }
-
-    pub(crate) fn dot(self, rhs: Self) -> f32 {
-        (self.x * rhs.x) + (self.y * rhs.y) + (self.z * rhs.z)
-    }
-
-    pub(crate) fn cross(self, rhs: Self) -> Self {
-        Self::new(self.y * rhs.z - rhs.y * self.z, self.z * rhs.x - rhs.z * self.x, self.x * rhs.y - rhs.x * self.y)
-    }
-
-    pub(crate) fn abs(self) -> Self {
-        Self::new(self.x.abs(), self.y.abs(), self.z.abs())
-    }
-
-    pub(crate) fn recip(self) -> Self {
-        Self::new(1.0 / self.x, 1.0 / self.y, 1.0 / self.z)
     }
 
     pub(crate) fn max(self, rhs: Self) -> Self {
@@ -172,46 +85,8 @@ impl Vec3 {
         )
     }
 
-    /// For numbers except NaN, and up to the sign of zero. The order is that of glam 0.34.3; 0.34.2 has another.
-    pub(crate) fn max_element(self) -> f32 {
-        let max = |a: f32, b: f32| if a > b { a } else { b };
-        max(max(self.x, self.y), self.z)
-    }
-
     pub(crate) fn is_finite_mask(self) -> BVec3 {
         BVec3 { x: self.x.is_finite(), y: self.y.is_finite(), z: self.z.is_finite() }
-    }
-
-    pub(crate) fn select(mask: BVec3, if_true: Self, if_false: Self) -> Self {
-        Self::new(
-            if mask.x { if_true.x } else { if_false.x },
-            if mask.y { if_true.y } else { if_false.y },
-            if mask.z { if_true.z } else { if_false.z },
-        )
-    }
-}
-
-impl Add for Vec3 {
-    type Output = Self;
-
-    fn add(self, rhs: Self) -> Self {
-        Self::new(self.x + rhs.x, self.y + rhs.y, self.z + rhs.z)
-    }
-}
-
-impl Sub for Vec3 {
-    type Output = Self;
-
-    fn sub(self, rhs: Self) -> Self {
-        Self::new(self.x - rhs.x, self.y - rhs.y, self.z - rhs.z)
-    }
-}
-
-impl Mul<f32> for Vec3 {
-    type Output = Self;
-
-    fn mul(self, rhs: f32) -> Self {
-        Self::new(self.x * rhs, self.y * rhs, self.z * rhs)
     }
 }
 

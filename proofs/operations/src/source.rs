@@ -92,6 +92,10 @@ impl Source {
             source.add(file, &text)?;
         }
         source.add("glam", include_str!("glam.rs"))?;
+        for [vector, number] in [["Vec3", "f32"], ["DVec3", "f64"]] {
+            let text = include_str!("glam/vector.rs").replace("Vector", vector).replace("Number", number);
+            source.add("glam", &text)?;
+        }
         Ok(source)
     }
 
