@@ -126,16 +126,27 @@ fn run<T: Keyed, E>(cursor: Result<impl Cursor, E>, search: &mut impl Pruned, wa
     }
 }
 
-/// A traversal with any decisions.
-macro_rules! bodies {
-    ($pruning:ident, $script:expr; $($(#[$doc:meta])* $name:ident $(<$k:ident>)?, |$tree:ident| $cursor:expr;)*) => {$(
+/// A run with any decisions.
+macro_rules! runs {
+    ($pruning:ident, $script:expr; $($(#[$doc:meta])* $name:ident $(<$k:ident>)?,
+        |$tree:ident, $told:ident, $watch:ident| $run:expr;)*) => {$(
         $(#[$doc])*
         pub fn $name<$(const $k: usize,)? const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
-            follows(choose, INNER, Pruning::$pruning, $script, |shape| shape, |$tree, told, watch| {
-                run($cursor, told, watch);
+            follows(choose, INNER, Pruning::$pruning, $script, |shape| shape, |$tree, $told, $watch| {
+                $run;
             })
         }
     )*};
+}
+
+/// A traversal with any decisions.
+macro_rules! bodies {
+    ($pruning:ident, $script:expr; $($(#[$doc:meta])* $name:ident $(<$k:ident>)?, |$tree:ident| $cursor:expr;)*) => {
+        runs! {
+            $pruning, $script;
+            $($(#[$doc])* $name $(<$k>)?, |$tree, told, watch| run($cursor, told, watch);)*
+        }
+    };
 }
 
 bodies! {
@@ -203,77 +214,33 @@ bodies! {
     };
 }
 
-/// `[HAPALA-1]`
-pub fn hapala<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
-    let script = |choose: &mut _, shape| Script::any(choose, shape).by_node();
-    follows(
-        choose,
-        INNER,
-        Pruning::Never,
-        script,
-        |shape| shape,
-        |tree, told, watch| {
-            run(Hapala::new(tree, *told), told, watch);
-        },
-    )
+runs! {
+    Never, |choose, shape| Script::any(choose, shape).by_node();
+    /// `[HAPALA-1]`
+    hapala, |tree, told, watch| run(Hapala::new(tree, *told), told, watch);
+    /// `[SKIP-1]`
+    skip, |tree, told, watch| {
+        let skips = Skips::of(tree, told);
+        traverse(Skip::new(tree, &skips, *told), told, watch)
+    };
 }
 
-/// `[STACK-1]`
-pub fn stack<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
-    follows(
-        choose,
-        INNER,
-        Pruning::Never,
-        Script::any,
-        |shape| shape,
-        |tree, told, watch| {
-            traverse(Stack::new(tree, &mut Vec::new()), told, watch);
-        },
-    )
+runs! {
+    Never, Script::any;
+    /// `[STACK-1]`
+    stack, |tree, told, watch| traverse(Stack::new(tree, &mut Vec::new()), told, watch);
 }
 
-/// `[SKIP-1]`
-pub fn skip<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
-    let script = |choose: &mut _, shape| Script::any(choose, shape).by_node();
-    follows(
-        choose,
-        INNER,
-        Pruning::Never,
-        script,
-        |shape| shape,
-        |tree, told, watch| {
-            let skips = Skips::of(tree, told);
-            traverse(Skip::new(tree, &skips, *told), told, watch);
-        },
-    )
+runs! {
+    Never, |choose, shape| Script::any(choose, shape).with_ends(choose, shape);
+    /// `[ORACLE-1]`
+    oracle, |tree, told, watch| oracle::traverse(tree, told, watch);
 }
 
-/// `[ORACLE-1]`
-pub fn oracle<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
-    let script = |choose: &mut _, shape| Script::any(choose, shape).with_ends(choose, shape);
-    follows(
-        choose,
-        INNER,
-        Pruning::Never,
-        script,
-        |shape| shape,
-        |tree, told, watch| {
-            oracle::traverse(tree, told, watch);
-        },
-    )
-}
-
-/// `[ORACLE-2]`
-pub fn oracle_disjoint<const INNER: u32>(choose: &mut impl Choose) -> Option<()> {
-    let script = |choose: &mut _, shape| Script::any(choose, shape).with_marks(choose, shape);
-    follows(
-        choose,
-        INNER,
-        Pruning::Disjoint,
-        script,
-        |shape| shape,
-        |tree, told, watch| {
-            oracle::traverse_pruned(tree, tree.root(), Pruning::Disjoint, told, watch);
-        },
-    )
+runs! {
+    Disjoint, |choose, shape| Script::any(choose, shape).with_marks(choose, shape);
+    /// `[ORACLE-2]`
+    oracle_disjoint, |tree, told, watch| {
+        oracle::traverse_pruned(tree, tree.root(), Pruning::Disjoint, told, watch)
+    };
 }

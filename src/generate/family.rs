@@ -80,6 +80,14 @@ impl Family {
     pub fn tree(self, source: &mut impl Source, leaves: u32) -> Tree {
         Tree::from_generated(&self.children(source, leaves))
     }
+
+    /// Returns a comb: inner nodes 0, 2, 4 and so on, and a leaf after each. `right` is the direction to the next inner
+    /// node at each level, from the root down.
+    pub fn comb(depth: u32, right: impl Fn(u32) -> bool) -> Tree {
+        let inner = |i: u32| if right(i) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
+        let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
+        Tree::from_generated(&children)
+    }
 }
 
 named!(Family);

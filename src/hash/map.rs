@@ -89,15 +89,14 @@ impl<W: KeyWord> Lookup<W> for KeyMap {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::generate::Family;
     use crate::key::{self, Grow, Word};
     use crate::tree::{Keys, Tree};
 
     #[test]
     fn every_node_is_found_and_nothing_else() {
         for depth in [0, 1, 2, 31, 62, 63, 64, 65, 126, 127, 500] {
-            let inner = |i: u32| if i % 5 < 2 { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
-            let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
-            let tree = Tree::new(&children).unwrap();
+            let tree = Family::comb(depth, |i| i % 5 < 2);
             let (map, keys) = (KeyMap::of(&tree), Keys::of(&tree));
             for slot in 0..tree.node_count() {
                 let node = tree.node(slot as u32);

@@ -166,11 +166,11 @@ impl Cells {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::generate::Family;
     use crate::tree::Tree;
 
     fn comb(depth: u32) -> Tree {
-        let children: Vec<_> = (0..depth).flat_map(|i| [Some([2 * i + 1, 2 * i + 2]), None]).chain([None]).collect();
-        Tree::new(&children).unwrap()
+        Family::comb(depth, |_| true)
     }
 
     #[test]

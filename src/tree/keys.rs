@@ -113,14 +113,13 @@ impl Keys {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::generate::Family;
     use crate::key::{Grow, Word};
     use crate::tree::Tree;
 
-    /// A comb of the given depth whose teeth change sides every third level: node 2i is inner, 2i + 1 its tooth.
+    /// Returns a comb that changes sides at every third level.
     fn comb(depth: u32) -> Tree {
-        let inner = |i: u32| if (i / 3).is_multiple_of(2) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
-        let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
-        Tree::new(&children).unwrap()
+        Family::comb(depth, |i| (i / 3).is_multiple_of(2))
     }
 
     #[test]

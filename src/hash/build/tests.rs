@@ -1,4 +1,5 @@
 use super::*;
+use crate::generate::Family;
 use crate::hash::{AddressBounds, Mix, certify};
 use crate::key::Grow;
 use crate::tree::{Keys, Reach, Tree};
@@ -72,9 +73,7 @@ fn indices_of_thirty_bits_and_no_more() {
 /// Collisions of folds are forced: with some seeds, all long keys fold to the same number.
 #[test]
 fn another_fold_where_two_meet() {
-    let inner = |i: u32| [2 * i + 1, 2 * i + 2];
-    let children: Vec<_> = (0..100).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
-    let tree = Tree::new(&children).unwrap();
+    let tree = Family::comb(100, |_| true);
     let options = Options { key_set: KeySet::Exact(Reach::ALGORITHM_1), sizing: Sizing::Tight };
     let (good, bad) = (seed(3), |fold_seed| fold_seed != seed(3));
     let keys = |fold_seed| {
@@ -164,9 +163,7 @@ fn tables_say_what_they_are() {
 }
 
 fn comb(depth: u32) -> Tree {
-    let inner = |i: u32| if i.is_multiple_of(3) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
-    let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
-    Tree::new(&children).unwrap()
+    Family::comb(depth, |i| i.is_multiple_of(3))
 }
 
 #[test]

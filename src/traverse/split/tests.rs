@@ -2,18 +2,16 @@ use alloc::vec::Vec;
 
 use super::*;
 use crate::event::Recorder;
+use crate::generate::Family;
 use crate::hash::{KeyMap, Lookup};
 use crate::key::TooDeep;
 use crate::order::{Flow, Side, Visitor};
 use crate::traverse::{Afra, HashOnly, Laine, Method, Sparse, Uncle, traverse};
 use crate::tree::{Keys, Linked, Recorded, Tree};
 
-/// Returns a chain of `depth` inner nodes 0, 2, 4 and so on. Each has the next index as a leaf, and the side changes at
-/// every third node.
+/// Returns a comb that changes sides at every third level.
 fn comb(depth: u32) -> Tree {
-    let inner = |i: u32| if (i / 3).is_multiple_of(2) { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
-    let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
-    Tree::new(&children).unwrap()
+    Family::comb(depth, |i| (i / 3).is_multiple_of(2))
 }
 
 #[test]

@@ -1,6 +1,7 @@
 use alloc::vec;
 
 use super::*;
+use crate::generate::Family;
 use crate::order::{Descent, Flow, Side, Visitor};
 use crate::tree::Tree;
 
@@ -27,16 +28,9 @@ impl NodeTest for Leaves {
     }
 }
 
-/// Returns a chain that leans to one side.
-fn chain(depth: u32, right: bool) -> Tree {
-    let inner = |i: u32| if right { [2 * i + 1, 2 * i + 2] } else { [2 * i + 2, 2 * i + 1] };
-    let children: Vec<_> = (0..depth).flat_map(|i| [Some(inner(i)), None]).chain([None]).collect();
-    Tree::new(&children).unwrap()
-}
-
 #[test]
 fn lookups_in_the_table_of_another_tree_are_misses() {
-    let (tree, other) = (chain(9, true), chain(9, false));
+    let (tree, other) = (Family::comb(9, |_| true), Family::comb(9, |_| false));
     let (axes, keys) = (vec![0; 19], Arc::new(Keys::of(&tree)));
     let run = |tables: &VerifiedTables<'_, Tree>| {
         tables.run::<u64, _>(Method::HashOnly, 0, &mut Vec::new(), &mut Leaves, &mut ()).map(|()| tables.misses())

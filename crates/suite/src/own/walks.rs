@@ -4,9 +4,9 @@ use serde_json::{Value, json};
 
 use super::text::{events, hex, word};
 use crate::ask::{Best, Walk};
-use crate::{Answer, Ask, Children, Feature, Start, WalkError};
+use crate::{Answer, Ask, Feature, Start, WalkError};
 use stackless_bvh::event::{Recorder, State, Trace};
-use stackless_bvh::generate::{Cell, Search, Tape};
+use stackless_bvh::generate::{Cell, Family, Search, Tape};
 use stackless_bvh::internals::traverse::{ByWalk, WithWord, with_word};
 use stackless_bvh::key::{self, Grow, KeyWord, TooDeep, Word as _};
 use stackless_bvh::order::Flow;
@@ -42,10 +42,8 @@ pub(super) fn claims(method: Option<Method>, word: WordName) -> (Vec<Feature>, O
 
 /// Returns a case with a chain.
 fn chain(depth: u32) -> stackless_check::Case {
-    let children: Children =
-        (0..=2 * depth).map(|node| (node % 2 == 0 && node < 2 * depth).then(|| [node + 2, node + 1])).collect();
-    let tree = Tree::from_generated(&children);
-    let tape = Tape::from_cells(&tree, vec![Cell::default(); children.len()]).unwrap_or_default();
+    let tree = Family::comb(depth, |_| false);
+    let tape = Tape::from_cells(&tree, vec![Cell::default(); tree.node_count()]).unwrap_or_default();
     stackless_check::Case { tree, tape, any: false, octant: 0 }
 }
 

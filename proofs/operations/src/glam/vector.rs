@@ -1,4 +1,4 @@
-// What vectors of three numbers have in both precisions: `Vector` is `Vec3` or `DVec3`, and `Number` their numbers.
+// The operations of vectors of three numbers in either precision: `Vector` is `Vec3` or `DVec3`, and `Number` is `f32` or `f64`.
 
 use std::ops::{Add, Mul, Sub};
 

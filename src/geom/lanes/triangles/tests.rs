@@ -270,7 +270,7 @@ fn without_what_the_ray_is_off_by_hits_are_rejected() {
     }
 }
 
-/// A ray (direction, origin) and a triangle, found by [`climb`], whose errors reach 0.44 of the bound of `[LANES-4]`.
+/// A ray (direction, origin) and a triangle, found by hill climbing, whose errors reach 0.44 of the bound of `[LANES-4]`.
 const HARD: [[u32; 3]; 5] = [
     [0xbf90_3d6e, 0x3f97_be5a, 0x3f92_8989],
     [0x3f7c_782c, 0x3f7f_00bb, 0xbf80_2000],
@@ -307,39 +307,4 @@ fn share(ray: &Ray, triangle: &Triangle) -> Option<f64> {
     let unit = f64::from(UNIT) * e * e;
     let bound = f64::from(DISTANCE) * c + f64::from(best) * f64::from(DETERMINANT) * f64::from(d.abs().max_element());
     Some(excess / (unit * bound))
-}
-
-/// Finds [`HARD`] by hill climbing.
-#[test]
-#[ignore = "a search, not a test; run by `cargo test --lib lanes::triangles::tests::climb -- --ignored --nocapture`"]
-fn climb() {
-    let mut best_of_all = 0.0;
-    for seed in 0..4000 {
-        let mut draw = Draw::new(seed);
-        let mut corner = || Vec3::from([(); 3].map(|()| draw.sign()));
-        let (e1, e2, d) = (corner(), corner(), corner());
-        // The origin is close to a corner, an edge or the middle.
-        let w = [[0.0, 1.0], [1.0, 0.0], [0.5, 0.5], [0.25, 0.5]][draw.below(4)];
-        let mut at = [d, e1 * w[0] + e2 * w[1] - d * 2f32.powi(-(draw.below(12) as i32)), Vec3::ZERO, e1, e2];
-        let ray_of = |at: &[Vec3; 5]| Ray::new(at[1], at[0]).ok();
-        let judge = |at: &[Vec3; 5]| share(&ray_of(at)?, &Triangle([at[2], at[3], at[4]]));
-        let mut worst = judge(&at).unwrap_or(-1.0);
-        for step in 0..12_000 {
-            let mut next = at;
-            for _ in 0..=draw.below(3) {
-                let (row, axis) = (draw.below(5), draw.below(3));
-                let size = 2f32.powi(-(draw.below(if step < 3000 { 12 } else { 26 }) as i32));
-                next[row][axis] += draw.centred().x * size;
-            }
-            if let Some(found) = judge(&next)
-                && found > worst
-            {
-                (worst, at) = (found, next);
-            }
-        }
-        if worst > best_of_all {
-            best_of_all = worst;
-            println!("{seed} {worst} {:x?}", at.map(|v| v.to_array().map(f32::to_bits)));
-        }
-    }
 }
