@@ -1,9 +1,9 @@
 //! Properties of the whole scene that ray tests need.
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, Vec3, Vec3Swizzles as _, Vec4};
 
 use super::frame::power_of_two;
-use super::{Aabb, Frame};
+use super::{Aabb, Frame, Ray};
 
 /// Extents of the region that contains all boxes and triangles of a ray test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,11 +27,25 @@ struct Near {
     /// For shorter directions, distances from points that are not far to points in the box may overflow, or the
     /// replacement of a component of 0 may have an effect. Infinity in the last lane.
     short: Vec4,
+    /// The distances from the center to the sides of the box, rounded.
+    half: DVec3,
+    /// Rays that start farther from the center on some axis are distant.
+    afar: f64,
 }
 
 /// A direction is also short if all its components are below this. Slab tests in single precision replace a component
 /// of 0 by 2^-128 or 2^-126; for short directions the other components are not great enough for this to have no effect.
 pub(super) const SHORT: f64 = power_of_two(-102);
+
+/// A ray is distant if it starts farther from the center of the box, on some axis, than this number of times half of
+/// the longest edge.
+const AFAR: f64 = 4.0;
+
+/// A bound of all rounding errors in [`Region::is_passed_by`], relative to a coordinate and a component. `[BOX-9]`
+const PASSING: f64 = 16.0 * (f64::EPSILON / 2.0);
+
+/// Underflow is negligible against coordinates, and products of a coordinate and a component, from here on.
+const USUAL: f64 = power_of_two(-900);
 
 /// A point is far if its distance from the center of the box is more than this number of longest edges.
 const FAR: f64 = 8192.0;
@@ -80,7 +94,7 @@ impl Region {
     /// suffices for the box; and the least component of a direction.
     #[inline(always)]
     pub(super) fn near(&self) -> [Vec4; 3] {
-        let Near { middle, far, short } = self.near;
+        let Near { middle, far, short, .. } = self.near;
         [middle, Vec4::splat(far), short]
     }
 
@@ -107,6 +121,26 @@ impl Region {
         is_far && self.size > 0.0 && self.size < f64::INFINITY
     }
 
+    /// Returns whether a distant ray certainly misses the box, so that it needs no preparation. `false` for rays that
+    /// are not distant, and for tiny numbers. `[BOX-9]`
+    #[inline(always)]
+    pub(crate) fn is_passed_by(&self, ray: &Ray<DVec3>) -> bool {
+        let Near { middle, half, afar, .. } = self.near;
+        let (start, direction) = (self.frame.rounded(ray.origin()) - middle.truncate().as_dvec3(), ray.direction());
+        if start.abs().cmple(DVec3::splat(afar)).all() {
+            return false;
+        }
+        let speed = direction.abs();
+        let coordinate = start.abs().max_element() + f64::from(self.reach_in_frame);
+        let product = coordinate * speed.max_element();
+        let of_box = half.zxy() * speed.yzx() + half.yzx() * speed.zxy();
+        // The greatest of three numbers: a branch for each axis costs more than the arithmetic.
+        let is_beside = (start.cross(direction).abs() - of_box).max_element() > PASSING * product;
+        let is_leaving = (direction * DVec3::ONE.copysign(start)).cmpge(DVec3::ZERO);
+        let outside = DVec3::select(is_leaving, start.abs() - half, DVec3::ZERO);
+        (is_beside || outside.max_element() > PASSING * coordinate) && coordinate.min(product) >= USUAL
+    }
+
     /// Returns the lower and the upper side of the box on each axis, out of the frame. The box is between them. They
     /// are finite.
     pub(super) fn sides(&self) -> [[f64; 3]; 2] {
@@ -126,11 +160,15 @@ impl Region {
 fn near_of(aabb: &Aabb, size: f64) -> Near {
     if aabb.lo.cmpgt(aabb.hi).any() {
         // No point is far from an empty box.
-        return Near { middle: Vec4::ZERO, far: f32::INFINITY, short: Vec4::ZERO };
+        let (half, afar) = (DVec3::INFINITY, f64::INFINITY);
+        return Near { middle: Vec4::ZERO, far: f32::INFINITY, short: Vec4::ZERO, half, afar };
     }
     let far = (FAR * size).min(f64::from(f32::MAX));
     // Coordinates are at most 2^126.
     let longest = (far + size).min(power_of_two(127));
     let short = Vec3::splat(((longest / f64::from(f32::MAX)) as f32).max(SHORT as f32)).extend(f32::INFINITY);
-    Near { middle: (aabb.lo * 0.5 + aabb.hi * 0.5).extend(0.0), far: far as f32, short }
+    let middle = aabb.lo * 0.5 + aabb.hi * 0.5;
+    let half = (aabb.hi.as_dvec3() - middle.as_dvec3()).max(middle.as_dvec3() - aabb.lo.as_dvec3());
+    let afar = AFAR * half.max_element();
+    Near { middle: middle.extend(0.0), far: far as f32, short, half, afar }
 }

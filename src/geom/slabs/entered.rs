@@ -60,6 +60,9 @@ const FINE: f64 = power_of_two(-24);
 impl Approach<Entry> {
     /// Transforms a ray into the frame of the boxes, and moves it to its entry into their region.
     pub(super) fn of(ray: &Ray<DVec3>, region: &Region) -> Self {
+        if region.is_passed_by(ray) {
+            return Self::Misses;
+        }
         let frame = region.frame();
         let Some([_, exponent]) = lengths(ray, region) else { return Self::Unknown };
         let origin = [0, 1, 2].map(|axis| frame.coordinate(axis, ray.origin()[axis]));

@@ -7,8 +7,8 @@ use fearless_simd::Simd;
 use super::search::{HitOf, WideSearch};
 use super::shared;
 use crate::bvh::WideBvh;
-use crate::geom::Ray;
 use crate::geom::lanes::{Hits as _, Level, Precision, vectorize};
+use crate::geom::{Ray, Region};
 use crate::trace::memory::lend;
 use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unsupported, advance, traverse};
 
@@ -204,7 +204,7 @@ fn interleaved<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
         ($asked:ident, $number:ident, $cursor:ident, $search:ident, $is_done:ident, $other_is_done:ident) => {
             if !$is_done && !advance(&tree, &mut $cursor, $asked, &mut $search, &mut ()) {
                 answers.set($number, $search.answer(ask));
-                if let Some((number, ray)) = rest.next() {
+                if let Some((number, ray)) = next_ray(&mut rest, bvh.region(), answers) {
                     $cursor.reset(&tree);
                     ($number, $search) = (number, $search.with_ray(ray));
                 } else if $other_is_done {
@@ -220,5 +220,21 @@ fn interleaved<S: Simd, C: Cursor<8>, V: Precision, const ANY: bool>(
         let (asked_a, asked_b) = (search_a.ask(cursor_a.node()), search_b.ask(cursor_b.node()));
         turn!(asked_a, number_a, cursor_a, search_a, is_done_a, is_done_b);
         turn!(asked_b, number_b, cursor_b, search_b, is_done_b, is_done_a);
+    }
+}
+
+/// Returns the next ray that needs a traversal: rays that pass by the whole scene need no preparation either.
+#[inline(always)]
+fn next_ray<'r, V: Precision>(
+    rays: &mut impl Iterator<Item = (usize, &'r Ray<V>)>,
+    region: &Region,
+    answers: &mut Answers<'_, V>,
+) -> Option<(usize, &'r Ray<V>)> {
+    loop {
+        let (number, ray) = rays.next()?;
+        if !V::passes_by(ray, region) {
+            return Some((number, ray));
+        }
+        answers.set(number, None);
     }
 }

@@ -262,17 +262,20 @@ fn doubles_are_answered_as_by_the_binary_tracer() {
     assert!(hits > 1000, "{hits}");
 }
 
-/// Large numbers of rays reach rare cases.
+/// Large numbers of rays reach rare cases. The last ray is distant and leaves the scene. [BOX-9]
 #[test]
 fn many_doubles_are_answered_as_by_the_binary_tracer() {
     for mesh in [procedural::soup(1, 500), procedural::strands(2, 60), procedural::layers(40)] {
         for place in double::PLACES {
             let mesh = place.mesh(&mesh).expect("a mesh");
             let bvh = BuildOptions::fine().build(&mesh).expect("a hierarchy");
-            let (tracer, rays) = (Tracer::of(&mesh).expect("a tracer"), double::aimed(&mesh, 2, 6_000));
+            let (tracer, mut rays) = (Tracer::of(&mesh).expect("a tracer"), double::aimed(&mesh, 2, 6_000));
+            let lo = mesh.vertices().iter().fold(glam::DVec3::INFINITY, |lo, &v| lo.min(v));
+            let hi = mesh.vertices().iter().fold(glam::DVec3::NEG_INFINITY, |hi, &v| hi.max(v));
+            rays.extend(Ray::new(hi + (hi - lo) * 100.0, hi - lo));
             let binary = Binary::with_tests(&bvh, traverse::Method::default()).expect("a tracer");
             let (closest, any) = (tracer.closest_each(&rays), tracer.any_each(&rays));
-            let mut found = vec![None; rays.len()];
+            let mut found = vec![Some((7, 7.0)); rays.len()];
             tracer.closest_distances(&rays, &mut found);
             for (i, expected) in binary.closest_each(&rays).into_iter().enumerate() {
                 let distance = expected.map(|hit| (hit.prim, hit.t));

@@ -114,6 +114,27 @@ proptest! {
         }
     }
 
+    /// No ray that touches a box passes by it, and every distant ray does that clearly misses it. [BOX-9]
+    #[test]
+    fn what_is_touched_is_not_passed_by(case in case()) {
+        let Case { frame, boxes: [a, b], ray } = &case;
+        let (far, d) = (frame.rounded(ray.origin()).abs().max_element(), ray.direction().abs());
+        let length = d.max_element();
+        // The line misses the box clearly on some pair of axes.
+        let is_plain = d.to_array().iter().all(|&x| x == 0.0 || x > 1e-3 * length);
+        let is_distant = is_plain && (100.0..1e30).contains(&far) && (1e-200..1e200).contains(&length);
+        for aabb in [*a, a.union(*b)] {
+            let is_passed_by = Region::within(*frame, &aabb).is_passed_by(ray);
+            let is_touched = truly(&case, &aabb, [ray.tmin(), f64::INFINITY]).is_some();
+            prop_assert!(!(is_passed_by && is_touched));
+            let margin = (far * 1e-11) as f32 + 1e-5;
+            let wider = Aabb { lo: aabb.lo - margin, hi: aabb.hi + margin };
+            if is_distant && truly(&case, &wider, [0.0, f64::INFINITY]).is_none() {
+                prop_assert!(is_passed_by, "{far}");
+            }
+        }
+    }
+
     /// The test is not too coarse: boxes that are clearly missed are skipped, from any distance. [BOX-8] [BOX-9]
     #[test]
     fn it_is_as_fine_as_single_precision(case in case()) {
@@ -175,6 +196,18 @@ fn beyond_its_range_it_is_slow_and_still_skips() {
     assert_eq!(hits(DVec3::splat(-1e300), DVec3::ONE), (true, true));
     assert_eq!(hits(DVec3::splat(-1e300), DVec3::new(1.0, 1.0, 1f64.next_up())), (true, false));
     assert_eq!(hits(DVec3::splat(1e300), DVec3::X), (false, false));
+}
+
+/// Rays whose products underflow do not pass by: with rounded products, the first one would. [BOX-9]
+#[test]
+fn tiny_rays_do_not_pass_by() {
+    let region = Region::of(&Aabb { lo: Vec3::splat(-0.5), hi: Vec3::splat(0.5) });
+    let passes_by = |tiny: f64, y: f64| {
+        let ray = Ray::new(DVec3::new(-10.0, y, 0.0), DVec3::new(tiny, tiny, 0.0)).expect("a ray");
+        region.is_passed_by(&ray)
+    };
+    assert_eq!([-10.6, -11.1, 10.0].map(|y| passes_by(5e-324, y)), [false; 3]);
+    assert_eq!([-10.6, -11.1, 10.0].map(|y| passes_by(1.0, y)), [false, true, true]);
 }
 
 /// A ray that approaches the boxes on one axis, but almost parallel to them, has passed them long before. [BOX-8]
