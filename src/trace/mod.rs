@@ -66,7 +66,7 @@ pub use leaf_primitives::LeafPrimitives;
 pub use mesh_queries::MeshQueries;
 pub use nearest::{Near, NearestPoint, NearestPoints};
 pub use next::NextHitQuery;
-pub use plan::{Choice, Decision, Need, Part, PartialHit, Plan, QueryKind};
+pub use plan::{Choice, Decision, Need, Part, Plan, QueryKind};
 pub use query::{BoxQuery, OwnBoxes, Query};
 pub use ray_queries::RayQueries;
 pub use search::{Any, Any64, AnyByNode, Closest, Closest64, ClosestByNode, NodeSearch, Search};

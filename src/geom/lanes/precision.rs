@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, block};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
-use crate::geom::slabs::{Directed, Slabs, Slabs64};
+use crate::geom::slabs::{Directed, Framed, Slabs, Slabs64, directed};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
 /// Positions in single or in double precision, for wide trees. Boxes are always in single precision.
@@ -32,6 +32,12 @@ pub trait Precision: Vector {
 
     /// Greatest error of a ray for which the filter is used. `[LANES-5]`
     const MOST_OFF: f64;
+
+    /// Returns whether the filter can reject triangles of a region. Otherwise each is tested exactly. `[LANES-3]`
+    fn can_filter(region: &Region) -> bool;
+
+    /// Returns whether boxes are tested from the origins of near rays, not from their entries into the region. `[BOX-9]`
+    fn has_near_rays(region: &Region) -> bool;
 
     /// Creates the filter of a ray that is known within bounds. `[LANES-5]`
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self>;
@@ -124,6 +130,15 @@ impl Precision for Vec3 {
     const MOST_OFF: f64 = MAX_COORDINATE as f64;
 
     #[inline(always)]
+    fn can_filter(region: &Region) -> bool {
+        region.reach() <= Self::MOST_OFF
+    }
+
+    fn has_near_rays(region: &Region) -> bool {
+        region.reach() <= f64::from(directed::MAX_COORDINATE)
+    }
+
+    #[inline(always)]
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {
         TriangleRay::enclosed(simd, ray, region)
     }
@@ -145,6 +160,15 @@ impl Precision for DVec3 {
     /// Smaller than every practical scene.
     const MIN_EDGE: f64 = power_of_two(-400);
     const MOST_OFF: f64 = *USUAL.end();
+
+    #[inline(always)]
+    fn can_filter(region: &Region) -> bool {
+        USUAL.contains(&region.size()) && region.reach() <= Self::MOST_OFF
+    }
+
+    fn has_near_rays(region: &Region) -> bool {
+        Framed::has_near_rays(region)
+    }
 
     #[inline(always)]
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {
