@@ -25,18 +25,24 @@ pub(crate) struct Row {
     saved_nanoseconds: Option<f64>,
 }
 
+/// Triangle and distance of a hit.
+type Found = Option<(u32, f32)>;
+
+/// Answers rays.
+type Run<'a> = dyn Fn(&[Ray]) -> Answers + 'a;
+
 /// A tracer by a plan.
 pub(crate) struct Setup<'a> {
     /// Bytes of hierarchy and tables.
     pub(crate) bytes: usize,
-    pub(crate) answers: Box<dyn Fn(&[Ray]) -> Answers + 'a>,
+    pub(crate) answers: Box<Run<'a>>,
 }
 
 /// The requested part of each answer.
 #[derive(PartialEq)]
 pub(crate) enum Answers {
     Any(Vec<bool>),
-    Distances(Vec<Option<(u32, f32)>>),
+    Distances(Vec<Found>),
     All(Vec<Vec<Hit>>),
 }
 
@@ -45,7 +51,7 @@ impl Answers {
         tracer: &T,
         ask: QueryKind,
         rays: &[Ray],
-        distances: impl FnOnce(&[Ray], &mut [Option<(u32, f32)>]),
+        distances: impl FnOnce(&[Ray], &mut [Found]),
     ) -> Self {
         match ask {
             QueryKind::Any => Self::Any(tracer.any_each(rays)),
