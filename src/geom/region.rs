@@ -98,6 +98,18 @@ impl Region {
         [middle, Vec4::splat(far), short]
     }
 
+    /// Returns the region without near rays: each is tested from its entry. `[BOX-9]`
+    pub(crate) fn without_near_rays(self) -> Self {
+        let near = Near { far: f32::NEG_INFINITY, ..self.near };
+        // In double precision, coordinates in the frame that are not ordinary.
+        Self { near, reach_in_frame: self.reach_in_frame.max(power_of_two(100) as f32), ..self }
+    }
+
+    /// Returns a region with at least this reach, which is valid for the same boxes and triangles.
+    pub(crate) fn reaching(self, reach: f64) -> Self {
+        Self { reach: self.reach.max(reach), ..self }
+    }
+
     /// Returns the box, in the frame.
     #[inline]
     pub fn bounds(&self) -> &Aabb {

@@ -3,6 +3,7 @@
 use std::borrow::Borrow;
 use std::cell::Cell;
 use std::fmt;
+use std::hint::black_box;
 use std::marker::PhantomData;
 
 use super::filter::{Filterable, FilteredQuery};
@@ -11,7 +12,7 @@ use super::memory::lend;
 use super::prepared_ray::PreparedRay;
 use super::{
     AllHitsQuery, BoxQuery, Crossings, Filter, FromLeft, Hit, MeshQueries, Near, NearestPoint, NearestPoints,
-    NextHitQuery, NodeSearch, OwnBoxes, Part, PartialHit, Plan, QueryKind, RayQueries,
+    NextHitQuery, NodeSearch, OwnBoxes, Part, Plan, QueryKind, RayQueries,
 };
 use crate::bvh::{BuildError, Bvh};
 use crate::geom::kernel::{Exact, Parity, Real};
@@ -52,9 +53,8 @@ use crate::tree::Node;
 pub struct BinaryTracer<T = Bvh, K = Exact, B = Directed> {
     bvh: T,
     pub(super) level: Level,
-    /// The kind of hit that the plan requests.
-    ask: QueryKind,
-    with_weights: bool,
+    /// Whether all hits are computed with their weights, to measure the cost.
+    pub(super) with_weights: bool,
     watches: bool,
     tests: PhantomData<fn() -> (K, B)>,
 }
@@ -77,7 +77,7 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
     /// has the parents and siblings, and queries share a slower copy of the traversals. This holds for all traversals.
     pub fn new(bvh: T) -> Self {
         let plan = Plan::new(bvh.borrow(), Method::default(), QueryKind::Hit);
-        let level = Level::unchecked(bvh.borrow(), &plan);
+        let level = Level::unchecked(bvh.borrow(), Method::default(), &plan);
         Self::over(bvh, level, &plan)
     }
 
@@ -90,13 +90,13 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
         Self::with_tests(bvh, method)
     }
 
-    /// Creates a tracer with the properties of a plan. A plan for another hierarchy may cost time or memory, or be
-    /// refused; it does not change an answer.
+    /// Creates a tracer with a traversal and its plan. A plan for another hierarchy or traversal may cost time or memory;
+    /// it does not change an answer.
     ///
     /// # Errors
-    /// [`Unsupported`], also if the keys of the plan are too short for the hierarchy.
-    pub fn planned(bvh: T, plan: &Plan) -> Result<Self, Unsupported> {
-        let level = Level::new(bvh.borrow(), plan)?;
+    /// As [`with_method`](BinaryTracer::with_method).
+    pub fn planned(bvh: T, method: Method, plan: &Plan) -> Result<Self, Unsupported> {
+        let level = Level::new(bvh.borrow(), method, plan)?;
         Ok(Self::over(bvh, level, plan))
     }
 }
@@ -109,14 +109,14 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
     /// As [`with_method`](BinaryTracer::with_method).
     pub fn with_tests(bvh: T, method: Method) -> Result<Self, Unsupported> {
         let plan = Plan::new(bvh.borrow(), method, QueryKind::Hit);
-        let level = Level::new(bvh.borrow(), &plan)?;
+        let level = Level::new(bvh.borrow(), method, &plan)?;
         Ok(Self::over(bvh, level, &plan))
     }
 
     fn over(bvh: T, level: Level, plan: &Plan) -> Self {
         // A triangle is reported once, for every plan.
-        let watches = !plan.skips(Part::Repeats) || bvh.borrow().duplicates() > 0;
-        Self { bvh, level, ask: plan.ask(), with_weights: !plan.skips(Part::Weights), watches, tests: PhantomData }
+        let watches = plan.restores(Part::Repeats) || bvh.borrow().duplicates() > 0;
+        Self { bvh, level, with_weights: plan.restores(Part::Weights), watches, tests: PhantomData }
     }
 
     /// Returns the hierarchy.
@@ -141,6 +141,9 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
 
     /// Returns triangle and distance of the [`closest`](RayQueries::closest) hit, without its weights.
     pub fn closest_distance(&self, ray: &Ray<K::Vector>) -> Option<(u32, Real<K>)> {
+        if self.with_weights {
+            return black_box(self.closest(ray)).map(|hit| (hit.prim, hit.t));
+        }
         self.search_closest(ray, NodeSearch::found)
     }
 
@@ -150,24 +153,6 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> BinaryTr
         for (ray, found) in rays.iter().zip(found) {
             *found = self.closest_distance(ray);
         }
-    }
-
-    /// Returns the parts of each ray's hit that the [`Plan`] requests, on this thread: for any hit or the closest hit.
-    pub fn partial_hits_each(&self, rays: &[Ray<K::Vector>]) -> Vec<Option<PartialHit<Real<K>>>> {
-        let whole = |hit: Hit<_>| PartialHit { prim: hit.prim, t: Some(hit.t), weights: Some([hit.u, hit.v]) };
-        let asked = |ray| match (self.ask, self.with_weights) {
-            (QueryKind::Any, true) => self.search_any(ray, NodeSearch::hit).map(whole),
-            (QueryKind::Any, false) => {
-                let (prim, _) = self.search_any(ray, NodeSearch::found)?;
-                Some(PartialHit { prim, t: None, weights: None })
-            }
-            (_, true) => self.search_closest(ray, NodeSearch::hit).map(whole),
-            (_, false) => {
-                let (prim, t) = self.search_closest(ray, NodeSearch::found)?;
-                Some(PartialHit { prim, t: Some(t), weights: None })
-            }
-        };
-        rays.iter().map(asked).collect()
     }
 
     /// Extracts the answer of a completed closest-hit query. (A returned query is so large that it is not inlined in
@@ -217,6 +202,9 @@ impl<T: Borrow<Bvh<K::Shape>>, K: Kernel, B: Slabs<Vector = K::Vector>> RayQueri
     }
 
     fn any(&self, ray: &Ray<K::Vector>) -> bool {
+        if self.with_weights {
+            return black_box(self.any_hit(ray)).is_some();
+        }
         self.search_any(ray, NodeSearch::found).is_some()
     }
 

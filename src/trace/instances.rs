@@ -376,7 +376,7 @@ impl<V: Vector> Stage<V> {
         let unfit = |unfit| InstanceError::Unsupported { object, unfit };
         Ok(match part {
             Part::Mesh(bvh) => {
-                let level = Level::new(bvh, &Plan::new(bvh, meshes, QueryKind::Hit)).map_err(unfit)?;
+                let level = Level::new(bvh, meshes, &Plan::new(bvh, meshes, QueryKind::Hit)).map_err(unfit)?;
                 Self::Mesh(Arc::clone(bvh), level)
             }
             Part::Wide(bvh) => {
@@ -384,7 +384,8 @@ impl<V: Vector> Stage<V> {
                 Self::Wide(Arc::clone(bvh), level.map_err(|unfit| InstanceError::UnsupportedWide { object, unfit })?)
             }
             Part::Group(group) => {
-                let level = Level::new(&group.bvh, &Plan::new(&group.bvh, groups, QueryKind::Hit)).map_err(unfit)?;
+                let level =
+                    Level::new(&group.bvh, groups, &Plan::new(&group.bvh, groups, QueryKind::Hit)).map_err(unfit)?;
                 Self::Group(Arc::clone(group), level)
             }
         })

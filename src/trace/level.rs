@@ -5,7 +5,7 @@ use crate::bvh::{Bvh, BvhTree};
 use crate::event::Backtracks;
 use crate::geom::Aabb;
 use crate::order::{Descent, Flow, NodeTest, Pruned, Pruning, Visitor};
-use crate::traverse::{AuxTables, Method, Run, Stack, Tables, Unsupported, WordName, traverse};
+use crate::traverse::{AuxTables, Method, Run, Stack, Tables, Test, Unsupported, WordName, traverse};
 use crate::tree::{Implicit, Node, Topology};
 
 /// A traversal and its tables. Callers pass the hierarchy of these tables with each query.
@@ -20,17 +20,27 @@ pub(super) struct Level {
 
 impl Level {
     /// Creates the level of a plan. It checks the plan once, so tracing is infallible.
-    pub(super) fn new<S>(bvh: &Bvh<S>, plan: &Plan) -> Result<Self, Unsupported> {
-        let level = Self::unchecked(bvh, plan);
+    pub(super) fn new<S>(bvh: &Bvh<S>, method: Method, plan: &Plan) -> Result<Self, Unsupported> {
+        let level = Self::unchecked(bvh, method, plan);
         // A search that ends at the root detects an unfit traversal before the first step.
         level.try_run(bvh.tree(), 0, &mut Vec::new(), &mut Nothing).map(|()| level)
     }
 
-    pub(super) fn unchecked<S>(bvh: &Bvh<S>, plan: &Plan) -> Self {
-        let (method, word) = (plan.method(), plan.word());
+    pub(super) fn unchecked<S>(bvh: &Bvh<S>, method: Method, plan: &Plan) -> Self {
+        let method = match method.with_second_trail() {
+            Some(pruning) if plan.restores(Part::SecondTrail) => pruning,
+            _ if plan.skips(Part::SecondTrail) && method.test() == Test::Disjoint => method.without_pruning(),
+            _ => method,
+        };
+        let narrowest = WordName::narrowest(bvh.depth());
+        let word = match narrowest {
+            WordName::U32 | WordName::U64 if plan.restores(Part::LongKeys) => WordName::U128,
+            _ => narrowest,
+        };
         let boxes = if plan.skips(Part::OwnBoxes) { Vec::new() } else { bvh.own_boxes() };
-        let others: &[Method] = if plan.skips(Part::OtherTables) { &[] } else { &Method::ALL };
-        let beside = AuxTables::new(bvh.tree(), bvh.axes(), &[&[method], others].concat(), Implicit::LIMIT);
+        let others = plan.restores(Part::Hash).then_some(Method::Hashed);
+        let methods: Vec<_> = others.into_iter().chain([method]).collect();
+        let beside = AuxTables::new(bvh.tree(), bvh.axes(), &methods, Implicit::LIMIT);
         Self { method, word, beside, boxes }
     }
 
@@ -155,10 +165,10 @@ mod tests {
         let mesh = procedural::layers(60);
         let bvh = Bvh::sah(&mesh, SahOptions { depth_limit: u32::MAX, ..SahOptions::default() }).expect("a tree");
         assert!(bvh.depth() > 31, "{}", bvh.depth());
-        let plan = Plan::new(&Bvh::median(&mesh, 4).expect("a tree"), Method::Uncle, QueryKind::Hit);
-        assert_eq!(plan.word(), WordName::U32);
-        assert!(matches!(Level::new(&bvh, &plan), Err(Unsupported::TooDeep(_))));
-        let level = Level::unchecked(&bvh, &plan);
+        let plan = Plan::new(&bvh, Method::Uncle, QueryKind::Hit);
+        let level = Level { word: WordName::U32, ..Level::unchecked(&bvh, Method::Uncle, &plan) };
+        let refused = level.try_run(bvh.tree(), 0, &mut Vec::new(), &mut Nothing);
+        assert!(matches!(refused, Err(Unsupported::TooDeep(_))));
         let (truth, rays) = (Truth::new(&mesh), procedural::rays(&mesh, 5, 200));
         let mut hits = 0;
         for ray in &rays {

@@ -65,7 +65,7 @@ pub use leaf_primitives::LeafPrimitives;
 pub use mesh_queries::MeshQueries;
 pub use nearest::{Near, NearestPoint, NearestPoints};
 pub(crate) use next::NextHitQuery;
-pub use plan::{Choice, Decision, Need, Part, PartialHit, Plan, QueryKind};
+pub use plan::{Choice, Decision, Need, Part, Plan, QueryKind};
 pub(crate) use query::{BoxQuery, OwnBoxes, Query};
 pub use ray_queries::RayQueries;
 pub(crate) use search::{Closest, NodeSearch};

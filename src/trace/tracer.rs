@@ -14,8 +14,8 @@ use glam::Vec3;
 use super::filter::{Filterable, FilteredQuery};
 use super::prepared_ray::PreparedRay;
 use super::{
-    AllHitsQuery, Crossings, Filter, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery, RayQueries,
-    next,
+    AllHitsQuery, Crossings, Filter, Hit, MeshQueries, Near, NearestPoint, NearestPoints, NextHitQuery, Part, Plan,
+    QueryKind, RayQueries, next,
 };
 use crate::bvh::{WideBvh, WideError};
 use crate::geom::lanes::{Level, Precision, with_baseline};
@@ -64,6 +64,10 @@ pub struct Tracer<T = WideBvh, V = Vec3> {
     method: Method,
     tables: Tables,
     level: Level,
+    /// Whether all hits are computed with their weights, to measure the cost.
+    with_weights: bool,
+    /// Whether a triangle may be in several leaves.
+    watches: bool,
     precision: PhantomData<fn() -> V>,
 }
 
@@ -80,7 +84,12 @@ impl<V: Precision> Tracer<WideBvh<8, V>, V> {
 impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     /// Creates a tracer with [`Method::default`], which fits any hierarchy, and the best instructions of this machine.
     pub fn new(bvh: T) -> Self {
-        Self { bvh, method: Method::default(), tables: Tables::NONE, level: Level::new(), precision: PhantomData }
+        Self::over(bvh, Method::default(), Tables::NONE)
+    }
+
+    fn over(bvh: T, method: Method, tables: Tables) -> Self {
+        let watches = bvh.borrow().duplicates() > 0;
+        Self { bvh, method, tables, level: Level::new(), with_weights: false, watches, precision: PhantomData }
     }
 
     /// Creates a tracer with the given traversal.
@@ -89,7 +98,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     /// [`Unsupported`] if the hierarchy has too many levels for it.
     pub fn with_method(bvh: T, method: Method) -> Result<Self, Unsupported> {
         let tables = Tables::of(method, bvh.borrow());
-        let tracer = Self { bvh, method, tables, level: Level::new(), precision: PhantomData };
+        let tracer = Self::over(bvh, method, tables);
         // Detects an unfit traversal before the first ray.
         tracer.run(&[], HitQuery::Distance, Answers::Distances(&mut [])).map(|()| tracer)
     }
@@ -98,6 +107,34 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     #[must_use]
     pub fn with_level(self, level: Level) -> Self {
         Self { level, ..self }
+    }
+
+    /// Returns the parts that it needs for queries of a kind, and those that it omits.
+    pub fn plan(&self, ask: QueryKind) -> Plan {
+        Plan::wide(self.bvh(), self.method, ask)
+    }
+
+    /// Returns this tracer with the restored parts of its [`plan`](Self::plan), to measure their cost: hash, weights, and
+    /// watch for repeats. [`Plan::options`] and [`Plan::on`] restore the other parts. The answers do not change.
+    ///
+    /// ```
+    /// use stackless_bvh::{generate::procedural, trace::Part, trace::QueryKind, trace::RayQueries, trace::Tracer};
+    ///
+    /// let mesh = procedural::strands(1, 100);
+    /// let (tracer, rays) = (Tracer::of(&mesh)?, procedural::rays(&mesh, 1, 50));
+    /// let (plan, answers) = (tracer.plan(QueryKind::Any), tracer.any_each(&rays));
+    /// let with_weights = tracer.planned(&plan.with(Part::Weights));
+    /// assert_eq!(with_weights.any_each(&rays), answers);
+    /// # Ok::<(), stackless_bvh::bvh::WideError>(())
+    /// ```
+    #[must_use]
+    pub fn planned(mut self, plan: &Plan) -> Self {
+        if plan.restores(Part::Hash) {
+            self.tables = Tables::new(self.bvh());
+        }
+        self.with_weights |= plan.restores(Part::Weights);
+        self.watches |= plan.restores(Part::Repeats);
+        self
     }
 
     /// Returns the hierarchy.
@@ -167,6 +204,11 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
     }
 
     fn job(&self, ask: HitQuery) -> Job<'_, V> {
+        let ask = match ask {
+            HitQuery::Any if self.with_weights => HitQuery::AnyHit,
+            HitQuery::Distance if self.with_weights => HitQuery::Closest,
+            _ => ask,
+        };
         Job { bvh: self.bvh(), tables: &self.tables, level: self.level, ask }
     }
 }
@@ -190,7 +232,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> RayQueries<Ray<V>> for Tracer<T, V>
         let bvh = self.bvh();
         with_baseline!(simd => {
             let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-            let mut query = AllHitsQuery::over(cast, bvh.duplicates() > 0);
+            let mut query = AllHitsQuery::over(cast, self.watches);
             self.run_shared(&mut query);
             query.into_hits()
         })

@@ -140,6 +140,11 @@ impl Method {
         self.row().help
     }
 
+    /// Returns whether it finds nodes by a perfect hash of their keys.
+    pub const fn needs_hash(self) -> bool {
+        matches!(self.needs(), Need::ReachedKeys | Need::AllKeys)
+    }
+
     /// Returns its test.
     pub const fn test(self) -> Test {
         self.row().test

@@ -201,7 +201,7 @@ fn rays_through_triangles_in_parts() {
     for method in [Method::HashedDisjoint, Method::UncleDisjoint, Method::StackT0] {
         let plan = Plan::new(&bvh, method, QueryKind::Hit);
         assert_eq!(plan.skips(Part::OwnBoxes), method == Method::StackT0);
-        let tracer = BinaryTracer::planned(&bvh, &plan).expect("a tracer");
+        let tracer = BinaryTracer::planned(&bvh, method, &plan).expect("a tracer");
         for ray in &rays {
             assert_eq!(tracer.closest(ray), truth.closest(ray).map(|hit| hit.rounded()), "{method} {ray:?}");
         }

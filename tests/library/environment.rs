@@ -165,6 +165,7 @@ const UNCHECKED: &[(&str, &[&str])] = &[
             "trace/nearest/several.rs: new",
             "trace/next.rs: new",
             "trace/plan.rs: new",
+            "trace/plan.rs: wide",
             "trace/search.rs: new",
             "trace/solid.rs: new",
             "trace/tracer.rs: new",

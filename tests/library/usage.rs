@@ -8,6 +8,8 @@ mod foreign_traversal;
 mod gpu_upload;
 #[path = "../../examples/hidden_objects.rs"]
 mod hidden_objects;
+#[path = "../../examples/instances.rs"]
+mod instances;
 #[path = "../../examples/many_lights.rs"]
 mod many_lights;
 #[path = "../../examples/nearest_point.rs"]
@@ -22,11 +24,12 @@ type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
 fn the_examples_run() {
-    let programs: [fn() -> Outcome; 8] = [
+    let programs: [fn() -> Outcome; 9] = [
         curve::main,
         foreign_traversal::main,
         gpu_upload::main,
         hidden_objects::main,
+        instances::main,
         many_lights::main,
         nearest_point::main,
         next_hits::main,

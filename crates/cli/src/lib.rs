@@ -23,6 +23,7 @@ mod points;
 mod record;
 mod render;
 mod run;
+mod savings;
 mod signals;
 mod stackless;
 mod stats;

@@ -26,7 +26,7 @@ use crate::places::{self, Output};
 use crate::record::write_figures;
 use crate::{Outcome, camera};
 
-/// Summarise the hierarchies and hash tables of a scene, and its backtracks, in five lines. Print tables with -v.
+/// Summarise the hierarchies and hash tables of a scene, its backtracks, and the parts that the tracer omits, in six lines. Print tables with -v.
 ///
 /// The figures correspond to Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays: half
 /// of the rays start at a camera, half at the hits of those rays in random directions.
@@ -275,7 +275,7 @@ impl Stats {
         plot_distances(&format!("Backtracking distance, {}", self.scene), &self.counted)
     }
 
-    fn lines(&self) -> [String; 5] {
+    fn lines(&self) -> [String; 6] {
         let Self { tables, backtracks: shares, .. } = self;
         [
             format!(
@@ -311,10 +311,11 @@ impl Stats {
             ),
             self.wide.line(),
             self.wide.choice(),
+            self.wide.omitted(),
         ]
     }
 
-    fn tables(&self) -> [Table; 4] {
+    fn tables(&self) -> [Table; 5] {
         let header =
             ["tables", "keys", "D", "H", "bytes", "of tree", "direct", "reseeds", "ms", "of build", "ms parallel"];
         let rows = std::iter::once(&self.tables).chain(&self.other_tables).map(|tables| {
@@ -338,6 +339,7 @@ impl Stats {
             table(&header, 1, rows.collect()),
             self.wide.to_table(),
             self.wide.otherwise(),
+            self.wide.plan(),
             table(&["levels up", "backtracks", "share", "cumulative"], 0, distances.collect()),
         ]
     }

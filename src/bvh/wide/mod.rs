@@ -126,6 +126,17 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
         self.duplicates
     }
 
+    /// Returns the number of degenerate triangles of the mesh that were [omitted](super::Degenerate::LeftOut).
+    pub fn dropped(&self) -> usize {
+        let references: usize = self.leaf_boxes().map(|(leaf, _)| leaf_places(leaf).len()).sum();
+        self.triangles + self.duplicates - references
+    }
+
+    /// Replaces the region by another one that contains all boxes and triangles.
+    pub(crate) fn map_region(&mut self, change: impl FnOnce(Region) -> Region) {
+        self.region = change(self.region);
+    }
+
     /// Returns the memory of nodes and blocks, in bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&*self.nodes) + size_of_val(&*self.blocks)

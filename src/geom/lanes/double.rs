@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::precision::{FourLanes as _, Hits};
 use super::triangles::{CONSTANTS, Found, OFF, OFF_EDGE};
-use super::{Block, LaneSet, TriangleRay, filled};
+use super::{Block, LaneSet, Precision as _, TriangleRay, filled};
 use crate::geom::kernel::{Corrected, EDGE, Exact64, QUOTIENT, USUAL};
 use crate::geom::{EnclosedRay, Interval, Kernel as _, Once, Ray, Region, Triangle};
 
@@ -43,8 +43,7 @@ impl<S: Simd> TriangleRay<S, DVec3> {
     #[inline(always)]
     fn double_with(simd: S, [o, d]: [DVec3; 2], region: &Region, [edge, det, t]: [f64; 3]) -> Self {
         let (c, length) = (region.distance(o), d.abs().max_element());
-        let (least, most) = (length.min(c).min(region.size()), length.max(c));
-        let is_usual = *USUAL.start() <= least && most <= *USUAL.end();
+        let is_usual = *USUAL.start() <= length.min(c) && length.max(c) <= *USUAL.end() && DVec3::can_filter(region);
         let unit = if is_usual { UNIT } else { f64::INFINITY };
         let all = |x: f64| f64x4::splat(simd, x);
         Self {

@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, block};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
-use crate::geom::slabs::{Directed, Slabs, Slabs64};
+use crate::geom::slabs::{Directed, Framed, Slabs, Slabs64, directed};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
 /// Positions in single or in double precision, for wide trees. Boxes are always in single precision.
@@ -35,6 +35,12 @@ pub trait Precision: Vector {
 
     /// Returns whether a ray certainly misses the region, if this takes less time than to prepare the ray. `[BOX-9]`
     fn passes_by(ray: &Ray<Self>, region: &Region) -> bool;
+
+    /// Returns whether the filter can reject triangles of a region. Otherwise each is tested exactly. `[LANES-3]`
+    fn can_filter(region: &Region) -> bool;
+
+    /// Returns whether boxes are tested from the origins of near rays, not from their entries into the region. `[BOX-9]`
+    fn has_near_rays(region: &Region) -> bool;
 
     /// Creates the filter of a ray that is known within bounds. `[LANES-5]`
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self>;
@@ -132,6 +138,15 @@ impl Precision for Vec3 {
     }
 
     #[inline(always)]
+    fn can_filter(region: &Region) -> bool {
+        region.reach() <= Self::MOST_OFF
+    }
+
+    fn has_near_rays(region: &Region) -> bool {
+        region.reach() <= f64::from(directed::MAX_COORDINATE)
+    }
+
+    #[inline(always)]
     fn enclosed<S: Simd>(simd: S, ray: &EnclosedRay, region: &Region) -> TriangleRay<S, Self> {
         TriangleRay::enclosed(simd, ray, region)
     }
@@ -157,6 +172,15 @@ impl Precision for DVec3 {
     #[inline(always)]
     fn passes_by(ray: &Ray<Self>, region: &Region) -> bool {
         region.is_passed_by(ray)
+    }
+
+    #[inline(always)]
+    fn can_filter(region: &Region) -> bool {
+        USUAL.contains(&region.size()) && region.reach() <= Self::MOST_OFF
+    }
+
+    fn has_near_rays(region: &Region) -> bool {
+        Framed::has_near_rays(region)
     }
 
     #[inline(always)]

@@ -49,6 +49,12 @@ impl Framed {
         start: 0.0,
     };
 
+    /// Returns whether rays that start near a region need not be moved.
+    #[inline(always)]
+    pub(in crate::geom) fn has_near_rays(region: &Region) -> bool {
+        USUAL.contains(&region.reach_in_frame())
+    }
+
     /// Transforms a ray into the frame. If doubles do not suffice, [`Entered`] tests box by box.
     #[inline(always)]
     pub(in crate::geom) fn new(ray: &Ray<DVec3>, region: &Region) -> Result<Self, Box<Entered>> {
@@ -58,7 +64,7 @@ impl Framed {
         let exponent = region.frame().exponent() - length;
         let is_near = origin.abs().max_element() <= NEAR * f64::from(reach);
         let is_within = length.abs() <= MAX_LENGTH && exponent.abs() <= MAX_UNIT;
-        if !(is_near && is_within && USUAL.contains(&reach)) {
+        if !(is_near && is_within && Self::has_near_rays(region)) {
             return Self::afar(ray, region);
         }
         let direction = ray.direction() * power_of_two(-length);

@@ -40,7 +40,7 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         counted(rays, |ray, counters| {
             with_baseline!(simd => {
                 let cast = PreparedRay::with(bvh, ray, LaneRay::new(simd, ray, bvh));
-                self.run_shared(&mut Counted(&mut AllHitsQuery::over(cast, bvh.duplicates() > 0), counters));
+                self.run_shared(&mut Counted(&mut AllHitsQuery::over(cast, self.watches), counters));
             });
         })
     }

@@ -285,3 +285,5 @@ fn many_doubles_are_answered_as_by_the_binary_tracer() {
         }
     }
 }
+
+mod plan;

@@ -16,12 +16,12 @@ use crate::input::Scene;
 use crate::output::say;
 use crate::places::{self, Output};
 use crate::record::write_figures;
-use crate::{Outcome, camera};
+use crate::{Outcome, camera, savings};
 
 /// Measure the parts of a ray's time, the savings of a query plan, and the benefits of a small state.
 ///
 /// The first table has the times of finding the next node, of box tests and of triangle tests alone. The second has the
-/// decisions of the plan, with the time and the bytes that each decision saves. The third has the nodes that a
+/// decisions of the plan, of the plan of a binary hierarchy, with the time and the bytes that each saves. The third has the nodes that a
 /// traversal visits with pruning, continuing after a hit, or starting at the last hit.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  lab parts examples/data/room.obj")]
@@ -52,7 +52,7 @@ pub(crate) fn run(args: &Args) -> Outcome {
     let plan = plan::measure(&scene.mesh, &bvh, &primary)?;
     let state = state::measure(&scene.mesh, &bvh, &primary, args.seed)?;
     say!("{}", time::to_table(&time));
-    say!("{}", plan::to_table(&plan));
+    say!("{}", savings::to_table(&plan));
     say!("{}", state::to_table(&state));
     if let Some(path) = &args.json {
         write_figures(path, "parts", from_ref(&scene), json!({ "time": time, "plan": plan, "state": state }))?;

@@ -1,11 +1,14 @@
 //! The hierarchy of eight children, used by `trace` and `render`.
 
+use std::borrow::Cow;
+use std::error::Error;
+
 use serde::Serialize;
-use stackless_bvh::bvh::Builder;
+use stackless_bvh::bvh::{Builder, WideBvh};
 use stackless_bvh::geom::Ray;
 use stackless_bvh::internals::geom::lanes::Block;
 use stackless_bvh::internals::trace::WideCounters;
-use stackless_bvh::trace::{Choice, Need, Tracer};
+use stackless_bvh::trace::{Choice, Need, Part, Plan, QueryKind, Tracer};
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Topology};
 
@@ -13,6 +16,10 @@ use super::timed;
 use crate::build;
 use crate::input::Scene;
 use crate::output::{Table, grouped, table};
+use crate::savings::{self, Answers, Setup};
+
+/// Number of rays with which a plan is measured.
+const PLAN_RAYS: usize = 4096;
 
 #[derive(Serialize)]
 pub(super) struct WideStats {
@@ -31,6 +38,8 @@ pub(super) struct WideStats {
     build_seconds: f64,
     traversals: Vec<Row>,
     choice: ChoiceStats,
+    /// The plan of the default tracer.
+    plan: Vec<savings::Row>,
 }
 
 /// The default tracer, and alternatives.
@@ -57,7 +66,7 @@ struct Row {
 }
 
 /// Measures the closest hits of `rays`.
-pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn std::error::Error>> {
+pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn Error>> {
     let choice = Choice::for_needs(&[]);
     let build = Builder::default();
     let (wide, build_seconds) = timed(|| build::wide(build, scene));
@@ -83,6 +92,7 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
     let leaves: u32 = nodes.iter().map(|node| node.leaves().count_ones()).sum();
     let references =
         wide.blocks().iter().flat_map(|block| block.prims).filter(|&prim| prim != Block::NONE).count() as f64;
+    let plan = plan(&wide, build, scene, rays)?;
     Ok(WideStats {
         build: build.to_string(),
         nodes: nodes.len(),
@@ -93,6 +103,7 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
         bytes_per_triangle: wide.bytes() as f64 / scene.mesh.triangles().len() as f64,
         build_seconds,
         traversals,
+        plan,
         choice: ChoiceStats {
             tracer: choice.tracer(),
             method: choice.method(),
@@ -100,6 +111,30 @@ pub(super) fn measure(scene: &Scene, rays: &[Ray]) -> Result<WideStats, Box<dyn 
             otherwise: Need::ALL.map(|need| [need.name(), Choice::for_needs(&[need]).tracer(), need.reason()]).into(),
         },
     })
+}
+
+/// Measures the decisions of the default tracer, with each omitted part restored. Fails if answers differ.
+fn plan(wide: &WideBvh, build: Builder, scene: &Scene, rays: &[Ray]) -> Result<Vec<savings::Row>, Box<dyn Error>> {
+    let rays = &rays[..rays.len().min(PLAN_RAYS)];
+    let mut rows = Vec::new();
+    for ask in [QueryKind::Any, QueryKind::Distance, QueryKind::All] {
+        let setup = |plan: &Plan| {
+            let bvh = match [Part::Degenerate, Part::ExactTests, Part::Entries].map(|part| plan.restores(part)) {
+                [true, ..] => Cow::Owned(plan.on(plan.options(build::options(build)).build_wide(&scene.mesh)?)),
+                [false, false, false] => Cow::Borrowed(wide),
+                [false, ..] => Cow::Owned(plan.on(wide.clone())),
+            };
+            let bytes = bvh.bytes();
+            let tracer: Tracer<Cow<'_, WideBvh>> = Tracer::new(bvh).planned(plan);
+            let bytes = bytes + tracer.bytes();
+            let answers = move |rays: &[Ray]| {
+                Answers::of(&tracer, ask, rays, |rays, found| tracer.closest_distances(rays, found))
+            };
+            Ok(Setup { bytes, answers: Box::new(answers) })
+        };
+        rows.extend(savings::measure(ask, rays, &Tracer::new(wide).plan(ask), setup)?);
+    }
+    Ok(rows)
 }
 
 impl WideStats {
@@ -121,6 +156,16 @@ impl WideStats {
     pub(super) fn choice(&self) -> String {
         let ChoiceStats { tracer, method, reasons, .. } = &self.choice;
         format!("default: {tracer} by {method} over {}. {}", self.build, reasons.join(" "))
+    }
+
+    /// The parts that the default tracer omits.
+    pub(super) fn omitted(&self) -> String {
+        format!("omitted, with the time that it saves for a ray: {}", savings::to_line(&self.plan))
+    }
+
+    /// The decisions of the default tracer.
+    pub(super) fn plan(&self) -> Table {
+        savings::to_table(&self.plan)
     }
 
     /// The cases in which another tracer is better.

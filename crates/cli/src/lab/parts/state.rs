@@ -32,7 +32,7 @@ type Step = (Ray, Place);
 
 /// Counts for primary rays, and for rays from their hits.
 pub(super) fn measure(mesh: &Mesh, bvh: &Bvh, primary: &[Ray], seed: u64) -> Result<Vec<Row>, Unsupported> {
-    let tracer = |method| BinaryTracer::planned(bvh, &Plan::new(bvh, method, QueryKind::Distance));
+    let tracer = |method| BinaryTracer::planned(bvh, method, &Plan::new(bvh, method, QueryKind::Distance));
     let tracers = [
         ("nothing is pruned", tracer(Method::Hashed)?),
         ("disjoint intervals", tracer(Method::HashedDisjoint)?),
