@@ -71,7 +71,7 @@
 //! ```
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![forbid(unsafe_code)]
-// What only this project's own crates use, such as the kernels that `bench` compares, is not reachable without features.
+// Without these features, the parts for this project's own crates are unreachable: the kernels that `bench` compares.
 #![cfg_attr(
     not(all(feature = "generate", feature = "internals", feature = "parallel")),
     allow(

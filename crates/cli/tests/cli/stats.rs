@@ -43,7 +43,8 @@ fn degenerate_triangles_and_parts_are_counted() {
     assert!(split["duplicates"].as_u64().unwrap() > 0);
 
     // The plan of the default tracer follows scene and query.
-    let huge = folder.file("huge.obj", "v 0 0 0\nv 1e38 0 0\nv 0 1e38 0\nf 1 2 3\n");
+    let far = 2.0_f32.powi(126);
+    let huge = folder.file("huge.obj", &format!("v 0 0 0\nv {far} 0 0\nv 0 {far} 0\nf 1 2 3\n"));
     let huge = stats(huge.to_str().unwrap(), &folder);
     for query in ["any hit", "closest hit", "all hits"] {
         let is_all = query == "all hits";
