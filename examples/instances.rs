@@ -29,8 +29,10 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let land = assembly.add_group(square(forest, 10, 40.0)?, &BuildOptions::default())?;
     let tracer = InstanceTracer::new(&assembly, land, Method::default())?;
 
-    // From above, into each tree of a row.
-    let ray = |i: u8| Ray::new(Vec3::new(2.0 * f32::from(i) + 0.5, 0.5, 10.0), Vec3::NEG_Z);
+    // From above, onto the first triangle of each tree in a row. All sums of these numbers are exact.
+    let corners = tree.triangles()[0].map(|vertex| tree.vertices()[vertex as usize]);
+    let middle = ((corners[0] + corners[1] + corners[2]) * 1024.0 / 3.0).round() / 1024.0;
+    let ray = |i: u8| Ray::new(Vec3::new(middle.x + 2.0 * f32::from(i), middle.y, 10.0), Vec3::NEG_Z);
     let rays = (0..200).map(ray).collect::<Result<Vec<_>, _>>()?;
     let hits = tracer.closest_each(&rays);
     let first = hits[0].as_ref().ok_or("the ray misses the tree")?;

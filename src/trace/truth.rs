@@ -46,12 +46,12 @@ impl<R: Number> TrueHit<R> {
 ///
 /// ```
 /// use glam::Vec3;
-/// use stackless_bvh::{geom::Ray, geom::Mesh, trace};
+/// use stackless_bvh::{geom::Mesh, geom::Ray, internals::trace::brute_force};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0]])?;
 /// let ray = Ray::within(Vec3::new(0.5, 0.5, -2.0), Vec3::Z, 0.0, 2.0)?;
-/// let hits = trace::truth::brute_force(&mesh, &ray);
+/// let hits = brute_force(&mesh, &ray);
 /// assert_eq!(hits.iter().map(|hit| (hit.prim, hit.t)).collect::<Vec<_>>(), [(0, 2.0), (1, 2.0)]);
 /// # Ok(())
 /// # }
@@ -65,12 +65,12 @@ pub fn brute_force<V: Vector>(mesh: &Mesh<V>, ray: &Ray<V>) -> Vec<TrueHit<V::Re
 ///
 /// ```
 /// use stackless_bvh::generate::procedural;
-/// use stackless_bvh::internals::trace::{Truth, truth};
+/// use stackless_bvh::internals::trace::{Truth, brute_force};
 ///
 /// let mesh = procedural::soup(1, 100);
 /// let judge = Truth::new(&mesh);
 /// for ray in procedural::rays(&mesh, 2, 20) {
-///     assert_eq!(judge.all(&ray), truth::brute_force(&mesh, &ray));
+///     assert_eq!(judge.all(&ray), brute_force(&mesh, &ray));
 ///     assert_eq!(judge.any(&ray), judge.closest(&ray).is_some());
 /// }
 /// ```

@@ -69,7 +69,7 @@ const LONGEST: usize = 400;
 type Import = (String, String);
 
 fn is_test(file: &Path) -> bool {
-    file.file_stem().is_some_and(|stem| stem == "tests")
+    file.with_extension("").ends_with("tests") || file.parent().is_some_and(|folder| folder.ends_with("tests"))
 }
 
 /// The text without comments, and without the unit tests at its end.
