@@ -44,7 +44,7 @@ fn degenerate_triangles_and_parts_are_counted() {
 
     // The plan of the default tracer follows scene and query.
     let far = 3_u128 << 125;
-    let huge = folder.file("huge.obj", &format!("v 0 0 0\nv {far} 0 0\nv 0 {far} 0\nf 1 2 3\n"));
+    let huge = folder.file("huge.obj", format!("v 0 0 0\nv {far} 0 0\nv 0 {far} 0\nf 1 2 3\n"));
     let huge = stats(huge.to_str().unwrap(), &folder);
     for query in ["any hit", "closest hit", "all hits"] {
         let is_all = query == "all hits";
