@@ -1,5 +1,5 @@
 //! A ray with its tests of boxes and triangles, shared by rare queries. (Frequent queries use
-//! [`Search`](super::Search).)
+//! [`Search`](super::search::Search).)
 
 use super::leaf_primitives::LeafPrimitives;
 use crate::bvh::Bvh;
