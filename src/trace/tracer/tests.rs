@@ -251,8 +251,7 @@ fn short_directions_leave_boxes_out() {
 #[test]
 fn doubles_are_answered_as_by_the_binary_tracer() {
     let mut hits = 0;
-    // Every third one, so that all places follow all kinds of cases.
-    for (i, case) in stress::cases(10).step_by(3).enumerate() {
+    for (i, case) in stress::cases(10).enumerate() {
         let place = double::PLACES[i % double::PLACES.len()];
         let Ok(mesh) = place.mesh(&case.mesh) else { continue };
         let mut rays: Vec<_> = case.rays.iter().filter_map(|ray| place.ray(ray)).collect();
