@@ -90,8 +90,8 @@ impl<T: Borrow<Bvh>> BinaryTracer<T> {
         Self::with_tests(bvh, method)
     }
 
-    /// Creates a tracer with a traversal and its plan. A plan for another hierarchy or traversal may cost time or memory;
-    /// it does not change an answer.
+    /// Creates a tracer with a traversal and its plan. A plan for another hierarchy or traversal may cost time or
+    /// memory; it does not change an answer.
     ///
     /// # Errors
     /// As [`with_method`](BinaryTracer::with_method).

@@ -1,8 +1,8 @@
 //! Ray queries, and the tracers that answer them.
 //!
-//! The answer to a closest-hit query is that of rational arithmetic, rounded. So it is identical, bit for bit, for every
-//! tree over the same mesh, every order and every traversal. `[DET-1]` For an any-hit query, only the existence of a hit
-//! is identical.
+//! The answer to a closest-hit query is that of rational arithmetic, rounded. So it is identical, bit for bit, for
+//! every tree over the same mesh, every order and every traversal. `[DET-1]` For an any-hit query, only the existence of
+//! a hit is identical.
 //!
 //! # Tracers
 //!

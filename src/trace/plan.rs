@@ -52,8 +52,8 @@ parts! {
     Weights: "weights", "Distance and weights of a hit, if the caller does not need them.";
     Degenerate: "degenerate triangles", "Triangles that no ray can meet.";
     Repeats: "watch for repeats", "The detection of triangles that are met again in another leaf.";
-    ExactTests: "exact tests of all", "The exact test of each triangle in a leaf, without the filter of four triangles, in wide hierarchies.";
-    Entries: "entries of all rays", "The point where a ray enters the scene, from which its boxes are tested, in wide hierarchies.";
+    ExactTests: "exact tests of all", "The exact test of each triangle, without the filter, in wide hierarchies.";
+    Entries: "entries of all rays", "Box tests from the entry of a ray into the scene, in wide hierarchies.";
 }
 
 /// Whether a part is omitted, and the reason.
@@ -186,7 +186,7 @@ fn second_trail(method: Method, ask: QueryKind) -> Verdict {
         (Test::Disjoint, QueryKind::Distance | QueryKind::Hit) => (false, format!("{method} prunes by it")),
         (_, QueryKind::Any) => (true, "the first hit ends the search".to_owned()),
         (_, QueryKind::All) => (true, "a hit ends nothing".to_owned()),
-        _ => (true, format!("{method} visits what a hit has left behind, and turns back there")),
+        _ => (true, format!("{method} visits the nodes behind a hit, and turns back there")),
     }
 }
 

@@ -114,8 +114,8 @@ impl<V: Precision, T: Borrow<WideBvh<8, V>>> Tracer<T, V> {
         Plan::wide(self.bvh(), self.method, ask)
     }
 
-    /// Returns this tracer with the restored parts of its [`plan`](Self::plan), to measure their cost: hash, weights, and
-    /// watch for repeats. [`Plan::options`] and [`Plan::on`] restore the other parts. The answers do not change.
+    /// Returns this tracer with the restored parts of its [`plan`](Self::plan), to measure their cost: hash, weights,
+    /// and watch for repeats. [`Plan::options`] and [`Plan::on`] restore the other parts. The answers do not change.
     ///
     /// ```
     /// use stackless_bvh::{generate::procedural, trace::Part, trace::QueryKind, trace::RayQueries, trace::Tracer};

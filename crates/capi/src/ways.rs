@@ -21,14 +21,20 @@ type WayFilters<'a, V, T> = Filters<'a, ExactRay<Real<V>, V>, <T as Exact<V>>::S
 pub(crate) struct Points<'a, V: Precision>(Option<Out<'a, *mut Point<V>>>);
 
 impl<'a, V: Precision> Points<'a, V> {
-    /// Makes all pointers null, so that they are null after an error.
-    pub(crate) fn null(mut points: Option<Out<'a, *mut Point<V>>>) -> Self {
-        if let Some(points) = &mut points {
-            for index in 0..points.count() {
-                points.set(index, ptr::null_mut());
-            }
+    /// Makes all pointers of the caller's array null, so that they are null after an error. The caller does not want
+    /// the points if `first` is null; otherwise `array` checks the array.
+    pub(crate) fn null<A>(first: *mut *mut Point<V>, array: A) -> Result<Self, Fault>
+    where
+        A: FnOnce(*mut *mut Point<V>) -> Result<Out<'a, *mut Point<V>>, Fault>,
+    {
+        if first.is_null() {
+            return Ok(Self(None));
         }
-        Self(points)
+        let mut points = array(first)?;
+        for index in 0..points.count() {
+            points.set(index, ptr::null_mut());
+        }
+        Ok(Self(Some(points)))
     }
 
     fn set(&mut self, index: usize, point: Option<Point<V>>) {

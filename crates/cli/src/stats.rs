@@ -26,7 +26,8 @@ use crate::places::{self, Output};
 use crate::record::write_figures;
 use crate::{Outcome, camera};
 
-/// Summarise the hierarchies and hash tables of a scene, its backtracks, and the parts that the tracer omits, in six lines. Print tables with -v.
+/// Summarise the hierarchies and hash tables of a scene, its backtracks, and the parts that the tracer omits, in six
+/// lines. Print tables with -v.
 ///
 /// The figures correspond to Table 1 and Fig. 3 of Binder & Keller 2016. Backtracks are those of closest-hit rays: half
 /// of the rays start at a camera, half at the hits of those rays in random directions.

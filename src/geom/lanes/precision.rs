@@ -39,7 +39,8 @@ pub trait Precision: Vector {
     /// Returns whether the filter can reject triangles of a region. Otherwise each is tested exactly. `[LANES-3]`
     fn can_filter(region: &Region) -> bool;
 
-    /// Returns whether boxes are tested from the origins of near rays, not from their entries into the region. `[BOX-9]`
+    /// Returns whether boxes are tested from the origins of near rays, not from their entries into the region.
+    /// `[BOX-9]`
     fn has_near_rays(region: &Region) -> bool;
 
     /// Creates the filter of a ray that is known within bounds. `[LANES-5]`

@@ -74,7 +74,7 @@ pub unsafe extern "C" fn stackless_exact_closest1_d(
 ) -> Error {
     // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
-        let point = Points::null(if point.is_null() { None } else { Some(Out::one("point", point)?) });
+        let point = Points::null(point, |point| Out::one("point", point))?;
         let (ray, filter) = (In::one("ray", ray)?, Filters::new(filter, 0, 1)?);
         ways::closest(shared(scene, "scene")?, &ray, &filter, Out::one("hit", hit)?, point, STACKLESS_SERIAL)
     })
@@ -114,8 +114,7 @@ pub unsafe extern "C" fn stackless_exact_closest_n_d(
 ) -> Error {
     // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
-        let wanted = if points.is_null() { None } else { Some(Out::new("points", points, point_stride, count)?) };
-        let points = Points::null(wanted);
+        let points = Points::null(points, |points| Out::new("points", points, point_stride, count))?;
         let rays = In::new("rays", rays, ray_stride, count)?;
         let filters = Filters::new(filters, filter_stride, count)?;
         let hits = Out::new("hits", hits, hit_stride, count)?;
@@ -157,7 +156,7 @@ pub unsafe extern "C" fn stackless_instances_exact_closest1_d(
 ) -> Error {
     // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
-        let point = Points::null(if point.is_null() { None } else { Some(Out::one("point", point)?) });
+        let point = Points::null(point, |point| Out::one("point", point))?;
         let (ray, filter) = (In::one("ray", ray)?, Filters::new(filter, 0, 1)?);
         ways::closest(shared(instances, "instances")?, &ray, &filter, Out::one("hit", hit)?, point, STACKLESS_SERIAL)
     })
@@ -195,8 +194,7 @@ pub unsafe extern "C" fn stackless_instances_exact_closest_n_d(
 ) -> Error {
     // SAFETY: the header states the requirements of these functions.
     answer(|| unsafe {
-        let wanted = if points.is_null() { None } else { Some(Out::new("points", points, point_stride, count)?) };
-        let points = Points::null(wanted);
+        let points = Points::null(points, |points| Out::new("points", points, point_stride, count))?;
         let rays = In::new("rays", rays, ray_stride, count)?;
         let filters = Filters::new(filters, filter_stride, count)?;
         let hits = Out::new("hits", hits, hit_stride, count)?;

@@ -21,8 +21,8 @@ use crate::{Outcome, camera, savings};
 /// Measure the parts of a ray's time, the savings of a query plan, and the benefits of a small state.
 ///
 /// The first table has the times of finding the next node, of box tests and of triangle tests alone. The second has the
-/// decisions of the plan, of the plan of a binary hierarchy, with the time and the bytes that each saves. The third has the nodes that a
-/// traversal visits with pruning, continuing after a hit, or starting at the last hit.
+/// decisions of the plan of a binary hierarchy, with the time and the bytes that each saves. The third has the nodes that
+/// a traversal visits with pruning, continuing after a hit, or starting at the last hit.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  lab parts examples/data/room.obj")]
 pub(crate) struct Args {
