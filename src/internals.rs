@@ -48,7 +48,6 @@ pub mod geom {
     pub use crate::geom::enclosed_ray::EnclosedRay;
     pub use crate::geom::interval::Interval;
     pub use crate::geom::nearest::{Foot, Measure};
-    pub use crate::geom::region::Region;
     pub use crate::geom::slabs::Slabs;
 
     /// Tests of rays and triangles.

@@ -3,8 +3,7 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildOptions, Builder, SahOptions, SpatialOptions};
 use stackless_bvh::generate::Source;
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Aabb, Mesh, Ray, Triangle, Vector};
+use stackless_bvh::geom::{Aabb, Mesh, Precision, Ray, Triangle, Vector};
 use stackless_bvh::internals::geom::kernel::{Exact, Exact64, ExactFromSingle};
 use stackless_bvh::internals::geom::slabs::{Directed, EnclosedSlabs, Plain, Slabs64, TwoSided};
 use stackless_check::{Solids, check_degenerate, check_distance, check_nearest, check_slabs, check_triangle};

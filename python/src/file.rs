@@ -6,8 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use stackless_bvh::bvh::WideBvh;
-use stackless_bvh::geom::Mesh;
-use stackless_bvh::geom::Precision;
+use stackless_bvh::geom::{Mesh, Precision};
 use stackless_bvh::internals::bvh::Stored;
 use stackless_scene::{Position, Rounding, SceneError, scene_to_bytes, write_atomically};
 

@@ -8,8 +8,7 @@ use numpy::Element;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, WideBvh, WideError};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Ray, Vector};
+use stackless_bvh::geom::{Ball, EnvironmentError, Mesh, Precision, Ray, Vector};
 use stackless_bvh::internals::bvh::Stored;
 use stackless_bvh::trace::{
     Assembly, Boundary, Hit, Location, MeshQueries, Near, Object, RayQueries, Rule, Solid, Tracer, Winding,

@@ -49,9 +49,7 @@ pub trait Primitives: Sync {
 /// ```
 /// use glam::{DVec3, Vec3};
 /// use stackless_bvh::bvh::{Bounded, BuildOptions, Bvh};
-/// use stackless_bvh::geom::{Aabb, Ray};
-/// use stackless_bvh::geom::Kernel;
-/// use stackless_bvh::internals::geom::Region;
+/// use stackless_bvh::geom::{Aabb, Kernel, Ray, Region};
 /// use stackless_bvh::internals::geom::slabs::Directed;
 /// use stackless_bvh::trace::BinaryTracer;
 /// use stackless_bvh::traverse::Method;

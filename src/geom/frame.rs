@@ -12,8 +12,7 @@ use super::{Aabb, EnclosedRay, Interval, Triangle, Vector};
 ///
 /// ```
 /// use glam::DVec3;
-/// use stackless_bvh::geom::Triangle;
-/// use stackless_bvh::geom::Frame;
+/// use stackless_bvh::geom::{Frame, Triangle};
 ///
 /// let earth = Triangle([DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 6.4e6));
 /// let frame = Frame::around(earth.0);

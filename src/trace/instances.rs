@@ -47,8 +47,7 @@ use wide_walk::{WideLevel, WideObject};
 /// ```
 /// use glam::Vec3;
 /// use stackless_bvh::bvh::{BuildOptions, Bvh};
-/// use stackless_bvh::geom::{AffineMap, Ray};
-/// use stackless_bvh::geom::Mesh;
+/// use stackless_bvh::geom::{AffineMap, Mesh, Ray};
 /// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, RayQueries};
 /// use stackless_bvh::traverse::Method;
 ///

@@ -38,6 +38,16 @@ pub trait Pause: Cursor {
     fn take_up(&mut self, paused: Paused<Self::Word>) -> Result<(), Incomplete>;
 }
 
+impl<C: Pause> Pause for &mut C {
+    fn put_aside(&self, next: Next) -> Paused<C::Word> {
+        (**self).put_aside(next)
+    }
+
+    fn take_up(&mut self, paused: Paused<C::Word>) -> Result<(), Incomplete> {
+        (**self).take_up(paused)
+    }
+}
+
 /// The state of a traversal, with addresses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Paused<W> {
@@ -163,7 +173,7 @@ impl<W: KeyWord> Paused<W> {
 }
 
 /// Resumes a paused traversal. Returns what [`traverse_pruned`] returns. Pass a search without pruning as
-/// [`Unpruned`](crate::order::Unpruned).
+/// [`Unpruned`](crate::order::Unpruned), and a cursor that may pause again by `&mut`.
 ///
 /// # Errors
 /// [`Incomplete`], before the first step.

@@ -3,8 +3,7 @@
 use proptest::prelude::*;
 
 use glam::DVec3;
-use stackless_bvh::geom::{Aabb, Ray, Triangle};
-use stackless_bvh::internals::geom::Region;
+use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
 use stackless_bvh::internals::geom::kernel::{Exact64, Kernel};
 use stackless_check::{check_degenerate, check_triangle};
 

@@ -3,8 +3,7 @@
 use glam::Vec3;
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::generate::{procedural, stress};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::{Mesh, Ray, Triangle, Vector};
+use stackless_bvh::geom::{Kernel, Mesh, Ray, Triangle, Vector};
 use stackless_bvh::internals::geom::Slabs;
 use stackless_bvh::internals::geom::kernel::{Exact, Exact64};
 use stackless_bvh::internals::geom::slabs::{Directed, Slabs64};

@@ -14,8 +14,7 @@ use scenes::{Kind, Scene, narrow, unit, vector};
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::{Rng, Source, stress};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{AffineMap, Ends, ExactRay, Mesh, Ray, Real, Vector};
+use stackless_bvh::geom::{AffineMap, Ends, ExactRay, Mesh, Precision, Ray, Real, Vector};
 use stackless_bvh::trace::{
     Assembly, AssemblyError, Instance, InstanceError, InstanceHit, InstanceTracer, Object, RayQueries,
 };

@@ -3,8 +3,7 @@
 use glam::Vec3;
 use proptest::prelude::*;
 
-use stackless_bvh::geom::{Aabb, Ray, Triangle};
-use stackless_bvh::internals::geom::Region;
+use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
 use stackless_bvh::internals::geom::kernel::{Affine, Exact, ExactFromSingle, Kernel, Moller32, Moller64, Woop};
 use stackless_check::check_triangle;
 

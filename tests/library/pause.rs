@@ -3,8 +3,7 @@
 use stackless_bvh::bvh::{Bvh, SahOptions};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::generate::{Family, Kind, Rng, Search, Source, procedural};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::hash::{KeyMap, KeySet, Options, PerfectHash, Sizing};
 use stackless_bvh::internals::geom::kernel::Exact;
 use stackless_bvh::internals::trace::{Any, Closest, Truth};

@@ -4,8 +4,7 @@ use glam::Vec3;
 
 use stackless_bvh::bvh::{Bounded, BuildOptions, Builder, Bvh, Degenerate, RefitError, SahOptions, validate};
 use stackless_bvh::generate::procedural;
-use stackless_bvh::geom::{Aabb, Mesh};
-use stackless_bvh::internals::geom::Region;
+use stackless_bvh::geom::{Aabb, Mesh, Region};
 use stackless_check::check_trees;
 
 /// Returns the mesh bent and stretched.

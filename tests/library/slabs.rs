@@ -4,9 +4,9 @@ use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
 use stackless_bvh::generate::draw::Draw;
-use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::geom::{Aabb, Ray, Region};
 use stackless_bvh::internals::geom::slabs::{Directed, EnclosedSlabs, Intervals, Plain, Slabs, Slabs64, TwoSided};
-use stackless_bvh::internals::geom::{EnclosedRay, Interval, Region, truth};
+use stackless_bvh::internals::geom::{EnclosedRay, Interval, truth};
 use stackless_check::check_slabs;
 
 /// Draws from few values, so planes and origins often coincide, with some extreme ones.

@@ -18,13 +18,15 @@ mod nearest_point;
 mod next_hits;
 #[path = "../../examples/own_primitives.rs"]
 mod own_primitives;
+#[path = "../../examples/pausing.rs"]
+mod pausing;
 
 /// The result of a program.
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 #[test]
 fn the_examples_run() {
-    let programs: [fn() -> Outcome; 9] = [
+    let programs: [fn() -> Outcome; 10] = [
         curve::main,
         foreign_traversal::main,
         gpu_upload::main,
@@ -34,6 +36,7 @@ fn the_examples_run() {
         nearest_point::main,
         next_hits::main,
         own_primitives::main,
+        pausing::main,
     ];
     for program in programs {
         program().unwrap();

@@ -14,8 +14,7 @@ use std::{env, ptr};
 use cpu_time::ThreadTime;
 use glam::{DVec3, Vec3};
 use libloading::Library;
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Mesh, Ray, Vector};
+use stackless_bvh::geom::{Mesh, Precision, Ray, Vector};
 use stackless_bvh::trace::{RayQueries as _, Tracer};
 
 const RAYS: usize = 1 << 16;

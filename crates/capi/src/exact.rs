@@ -2,8 +2,7 @@
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, RayError, Triangle};
+use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Precision, RayError, Triangle};
 use stackless_bvh::trace::{Hit as Found, InstanceFilter, InstanceHit, InstanceTracer, RayQueries as _};
 
 use crate::error::Fault;

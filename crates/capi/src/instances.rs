@@ -6,8 +6,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 use rayon::ThreadPool;
 use stackless_bvh::bvh::BuildOptions;
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{AffineMap, Real as _};
+use stackless_bvh::geom::{AffineMap, Precision, Real as _};
 use stackless_bvh::trace::{Assembly, Instance, InstanceHit as Found, InstanceTracer, Object, RayQueries as _};
 use stackless_bvh::traverse::Method;
 

@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use rayon::ThreadPool;
 use stackless_bvh::bvh::WideBvh;
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Ball, Ray as CheckedRay, RayError, Real as _, check_environment};
+use stackless_bvh::geom::{Ball, Precision, Ray as CheckedRay, RayError, Real as _, check_environment};
 use stackless_bvh::trace::{
     Filterable as _, Hit as Found, Location, MeshQueries as _, Near as FoundNear, RayQueries as _, Rule, Solid, Tracer,
 };

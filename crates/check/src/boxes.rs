@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::random::Progress;
 use stackless_bvh::generate::draw::Draw;
-use stackless_bvh::geom::{Aabb, Ray};
+use stackless_bvh::geom::{Aabb, Ray, Region};
 use stackless_bvh::internals::geom::slabs::{Directed, Plain, TwoSided};
-use stackless_bvh::internals::geom::{Region, Slabs, truth};
+use stackless_bvh::internals::geom::{Slabs, truth};
 use stackless_bvh::internals::trace::SlabsName;
 
 /// Counts of touched boxes that were skipped, for each of [`SlabsName::ALL`].

@@ -9,8 +9,7 @@ use glam::Vec3;
 
 use stackless_bvh::bvh::wide::WideOptions;
 use stackless_bvh::bvh::{BuildOptions, Bvh, WideBvh, WideError};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{AffineMap, Ball, Mesh, Ray, Real, Triangle, Vector};
+use stackless_bvh::geom::{AffineMap, Ball, Mesh, Precision, Ray, Real, Triangle, Vector};
 use stackless_bvh::internals::geom::truth::{Number, RBig, Relaxed, round_root};
 use stackless_bvh::trace::{
     Assembly, AssemblyError, Instance, InstanceHit, InstanceNear, InstanceTracer, Object, RayQueries,

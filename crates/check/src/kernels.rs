@@ -2,11 +2,10 @@
 
 use glam::Vec3;
 
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::{Aabb, Ray, Real, Triangle, Vector};
+use stackless_bvh::geom::{Aabb, Kernel, Ray, Real, Region, Triangle, Vector};
 use stackless_bvh::internals::geom::truth;
 use stackless_bvh::internals::geom::truth::{Meeting, Number, RBig};
-use stackless_bvh::internals::geom::{Measure, Region, Slabs};
+use stackless_bvh::internals::geom::{Measure, Slabs};
 
 /// A geometric test whose answer differs from rational arithmetic.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

@@ -4,8 +4,7 @@ use std::fmt::Debug;
 
 use stackless_bvh::bvh::{WideBvh, WideError};
 use stackless_bvh::generate::Source;
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Mesh, MeshError, RayError, Real as _};
+use stackless_bvh::geom::{Mesh, MeshError, Precision, RayError, Real as _};
 use stackless_bvh::trace::{Boundary, Location, Rule, Solid, SolidError, Tracer, Winding};
 
 use crate::trees::nearest;

@@ -3,8 +3,7 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::stress::StressCase;
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::{Mesh, Ray};
+use stackless_bvh::geom::{Kernel, Mesh, Ray};
 use stackless_bvh::internals::geom::Slabs;
 use stackless_bvh::internals::geom::kernel::Exact64;
 use stackless_bvh::internals::geom::lanes;

@@ -7,8 +7,7 @@ use glam::DVec3;
 
 use stackless_bvh::bvh::wide::WideBvhError;
 use stackless_bvh::bvh::{Bvh, BvhError, WideBvh, WideError, validate};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Ball, BallError, Mesh, MeshError, Ray, Triangle, Vector};
+use stackless_bvh::geom::{Ball, BallError, Mesh, MeshError, Precision, Ray, Triangle, Vector};
 use stackless_bvh::internals::geom::truth::{RBig, round_root, square_distance};
 use stackless_bvh::internals::trace::{AllHitsQuery, NodeSearch, OwnBoxes, Query, Truth};
 use stackless_bvh::trace::{BinaryTracer, Filter, Filterable, Hit, MeshQueries, Near, RayQueries, Tracer};

@@ -2,8 +2,7 @@
 
 use clap::builder::TypedValueParser;
 use stackless_bvh::bvh::{BuildError, BuildOptions, Builder, Bvh, Degenerate, WideBvh, WideError};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::Triangle;
+use stackless_bvh::geom::{Precision, Triangle};
 use stackless_bvh::traverse::Method;
 use stackless_scene::Position;
 

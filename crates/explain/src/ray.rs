@@ -2,8 +2,7 @@
 
 use stackless_bvh::bvh::Bvh;
 use stackless_bvh::generate::{Cell, Tape};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::internals::geom::Slabs;
 use stackless_bvh::internals::geom::kernel::Exact;
 use stackless_bvh::internals::geom::slabs::{Directed, Intervals};

@@ -15,8 +15,7 @@ use std::collections::TryReserveError;
 
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::bvh::wide::{WideBvhError, WideBvhFileError};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Mesh, MeshError};
+use stackless_bvh::geom::{Mesh, MeshError, Precision};
 use stackless_bvh::hash::checksum;
 use stackless_bvh::internals::bvh::Stored;
 

@@ -13,8 +13,7 @@ use crate::geom::{Ray, Region, Triangle};
 /// use glam::Vec3;
 /// use stackless_bvh::internals::geom::kernel::Filter;
 /// use stackless_bvh::internals::geom::lanes::TriangleFilter;
-/// use stackless_bvh::geom::{Ray, Triangle};
-/// use stackless_bvh::internals::geom::Region;
+/// use stackless_bvh::geom::{Ray, Region, Triangle};
 ///
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
 /// let beside = Triangle(triangle.0.map(|corner| corner + 2.0 * Vec3::X));

@@ -90,8 +90,7 @@ impl<'a> LazyExact<'a> {
     /// use fearless_simd::{Level, Simd, dispatch};
     /// use glam::Vec3;
     /// use stackless_bvh::internals::geom::lanes::{Block, LazyExact, Nearest, TriangleRay};
-    /// use stackless_bvh::geom::{Ray, Triangle};
-    /// use stackless_bvh::internals::geom::Region;
+    /// use stackless_bvh::geom::{Ray, Region, Triangle};
     ///
     /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);
     /// let mut block = Block::EMPTY;

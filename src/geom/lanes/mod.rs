@@ -9,8 +9,7 @@
 //! use fearless_simd::{Level, Simd, dispatch, f32x8};
 //! use glam::Vec3;
 //! use stackless_bvh::internals::geom::lanes::BoxRay;
-//! use stackless_bvh::geom::{Aabb, Ray};
-//! use stackless_bvh::internals::geom::Region;
+//! use stackless_bvh::geom::{Aabb, Ray, Region};
 //!
 //! #[inline(always)]
 //! fn met<S: Simd>(simd: S, planes: &[[[f32; 8]; 2]; 3], ray: &Ray, region: &Region) -> u32 {

@@ -2,8 +2,7 @@
 
 use glam::{DMat3, DVec3, Vec3};
 use stackless_bvh::generate::{Rng, Source, procedural};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{AffineMap, Mesh, Real, Vector};
+use stackless_bvh::geom::{AffineMap, Mesh, Precision, Real, Vector};
 use stackless_check::Shape;
 
 /// Single or double precision, with the scales of its scenes.

@@ -3,8 +3,7 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::generate::{Rng, procedural, stress};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Ball, Mesh, Real, Triangle, Vector};
+use stackless_bvh::geom::{Ball, Mesh, Precision, Real, Triangle, Vector};
 use stackless_bvh::order::{Descent, Flow, Pruned, Repeatable, Visitor};
 use stackless_bvh::trace::{BinaryTracer, MeshQueries, NearestPoint, Tracer};
 use stackless_bvh::traverse::{Method, Stack, traverse};

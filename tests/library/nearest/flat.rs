@@ -3,8 +3,7 @@
 use glam::{DVec3, Vec3};
 use stackless_bvh::bvh::{self, BuildOptions, Builder, Bvh, Degenerate, SpatialOptions, WideBvh};
 use stackless_bvh::generate::{Rng, Source, procedural};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Mesh, Ray, Real, Triangle, Vector};
+use stackless_bvh::geom::{Mesh, Precision, Ray, Real, Triangle, Vector};
 use stackless_bvh::trace::{BinaryTracer, MeshQueries, RayQueries, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_check::{check_nearest, nearest as truth};

@@ -2,8 +2,7 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Builder, Bvh};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::internals::geom::Slabs;
 use stackless_bvh::internals::trace::{Accuracy, KernelBvhs, KernelShape, WithTests, with_level};
 use stackless_bvh::trace::{BinaryTracer, RayQueries};

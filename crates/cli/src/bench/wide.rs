@@ -4,8 +4,7 @@ use std::borrow::Borrow;
 use std::hint::black_box;
 
 use stackless_bvh::bvh::{Builder, WideBvh};
-use stackless_bvh::geom::Precision;
-use stackless_bvh::geom::{Ray, Real as _};
+use stackless_bvh::geom::{Precision, Ray, Real as _};
 use stackless_bvh::internals::geom::lanes::Level;
 use stackless_bvh::internals::trace::Accuracy;
 use stackless_bvh::trace::{Hit, RayQueries, Tracer};

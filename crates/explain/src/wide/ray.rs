@@ -2,8 +2,7 @@
 
 use stackless_bvh::bvh::WideBvh;
 use stackless_bvh::generate::{WideAnswer, WideTape, wide_tree};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::internals::geom::kernel::Exact;
 use stackless_bvh::trace::Tracer;
 use stackless_bvh::tree::Node;

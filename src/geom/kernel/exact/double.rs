@@ -39,8 +39,7 @@ use crate::geom::{Ray, Region, Triangle};
 /// ```
 /// use glam::DVec3;
 /// use stackless_bvh::internals::geom::kernel::{Exact64, Kernel};
-/// use stackless_bvh::geom::{Ray, Triangle};
-/// use stackless_bvh::internals::geom::Region;
+/// use stackless_bvh::geom::{Ray, Region, Triangle};
 ///
 /// let triangle = Triangle([DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 1e12));
 /// let ray = Ray::new(DVec3::new(1e12, 1e12, 0.0), DVec3::new(0.0, 0.0, 3.0))?;

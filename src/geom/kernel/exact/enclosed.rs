@@ -41,8 +41,8 @@ impl<T> Certainty<T> {
 /// ```
 /// use glam::Vec3;
 /// use stackless_bvh::internals::geom::kernel::{Certainty, EnclosedTest};
-/// use stackless_bvh::geom::{AffineMap, Ray, Triangle};
-/// use stackless_bvh::internals::geom::{EnclosedRay, Region};
+/// use stackless_bvh::geom::{AffineMap, Ray, Region, Triangle};
+/// use stackless_bvh::internals::geom::EnclosedRay;
 ///
 /// let third = AffineMap::new([[3.0, 0.0, 0.0, 0.0], [0.0, 3.0, 0.0, 0.0], [0.0, 0.0, 3.0, 0.0]])?;
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]);

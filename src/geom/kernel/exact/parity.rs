@@ -69,8 +69,7 @@ impl Exact {
     /// ```
     /// use glam::Vec3;
     /// use stackless_bvh::internals::geom::kernel::{Exact, Kernel};
-    /// use stackless_bvh::geom::{Aabb, Ray, Triangle};
-    /// use stackless_bvh::internals::geom::Region;
+    /// use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
     ///
     /// // A square of two triangles, and a ray through the diagonal.
     /// let [a, b, c, d] = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];

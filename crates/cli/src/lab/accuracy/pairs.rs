@@ -2,8 +2,7 @@
 
 use glam::Vec3;
 use stackless_bvh::bvh::{BuildError, Bvh, SahOptions};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::{Aabb, Mesh, Ray};
+use stackless_bvh::geom::{Aabb, Kernel, Mesh, Ray};
 use stackless_bvh::internals::geom::Slabs;
 use stackless_bvh::internals::trace::{
     Accuracy, KernelBvhs, KernelName, KernelShape, NodeSearch, Search, SlabsName, WithTests, with_tests,

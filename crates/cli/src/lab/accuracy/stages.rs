@@ -2,8 +2,7 @@
 
 use rayon::prelude::*;
 use stackless_bvh::bvh::Bvh;
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::internals::geom::kernel::{Exact, Stage};
 use stackless_bvh::internals::trace::Closest;
 use stackless_bvh::order::{Descent, Flow, Visitor};

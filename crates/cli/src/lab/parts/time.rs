@@ -4,8 +4,7 @@ use std::hint::black_box;
 
 use serde::Serialize;
 use stackless_bvh::bvh::{Bvh, BvhTree};
-use stackless_bvh::geom::Kernel;
-use stackless_bvh::geom::Ray;
+use stackless_bvh::geom::{Kernel, Ray};
 use stackless_bvh::internals::geom::Slabs;
 use stackless_bvh::internals::geom::kernel::Exact;
 use stackless_bvh::internals::geom::slabs::Directed;
