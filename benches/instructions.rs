@@ -5,13 +5,14 @@
 
 use std::hint::black_box;
 
+use glam::{DVec3, Vec3};
 use gungraun::prelude::*;
 use gungraun::{Callgrind, EventKind};
-use stackless_bvh::bvh::{Bvh, SahOptions};
+use stackless_bvh::bvh::{Bvh, SahOptions, WideBvh};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{Mesh, Ray};
 use stackless_bvh::internals::trace::bounce;
-use stackless_bvh::trace::{BinaryTracer, RayQueries};
+use stackless_bvh::trace::{BinaryTracer, RayQueries, Tracer};
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::Recorded;
 
@@ -64,13 +65,58 @@ fn any((tracer, rays): (BinaryTracer<&'static Bvh>, &'static [Ray])) -> usize {
     black_box(tracer.any_each(black_box(rays))).iter().filter(|&&hit| hit).count()
 }
 
+/// The default tracer, in both precisions, with its rays.
+enum Users {
+    Single(Tracer, Vec<Ray>),
+    Double(Tracer<WideBvh<8, DVec3>, DVec3>, Vec<Ray<DVec3>>),
+}
+
+fn single() -> Users {
+    Users::Single(Tracer::of(&mesh()).expect("a tree"), scene(Method::Stack).1.rays.clone())
+}
+
+/// A third of the scene: few of its coordinates are single-precision numbers.
+fn double() -> Users {
+    let mesh = mesh();
+    let third = |point: Vec3| point.as_dvec3() / 3.0;
+    let vertices = mesh.vertices().iter().copied().map(third).collect();
+    let smaller = Mesh::new(vertices, mesh.triangles().to_vec()).expect("finite vertices");
+    let Users::Single(_, rays) = single() else { unreachable!("it is single") };
+    let ray = |ray: &Ray| {
+        let [tmin, tmax] = [ray.tmin(), ray.tmax()].map(f64::from);
+        Ray::within(third(ray.origin()), ray.direction().as_dvec3(), tmin, tmax).expect("a ray")
+    };
+    Users::Double(Tracer::of(&smaller).expect("a tree"), rays.iter().map(ray).collect())
+}
+
+#[library_benchmark]
+#[bench::single(single())]
+#[bench::double(double())]
+fn closest_by_default(users: Users) -> usize {
+    match black_box(&users) {
+        Users::Single(tracer, rays) => black_box(tracer.closest_each(rays)).iter().flatten().count(),
+        Users::Double(tracer, rays) => black_box(tracer.closest_each(rays)).iter().flatten().count(),
+    }
+}
+
+#[library_benchmark]
+#[bench::single(single())]
+#[bench::double(double())]
+fn any_by_default(users: Users) -> usize {
+    let hits = match black_box(&users) {
+        Users::Single(tracer, rays) => tracer.any_each(rays),
+        Users::Double(tracer, rays) => tracer.any_each(rays),
+    };
+    black_box(hits).iter().filter(|&&hit| hit).count()
+}
+
 #[library_benchmark]
 #[bench::sah(mesh())]
 fn build(mesh: Mesh) -> Bvh {
     black_box(Bvh::sah(black_box(&mesh), SahOptions::default()).expect("a tree"))
 }
 
-library_benchmark_group!(name = instructions, benchmarks = [closest, any, build]);
+library_benchmark_group!(name = instructions, benchmarks = [closest, any, closest_by_default, any_by_default, build]);
 
 main!(
     config = LibraryBenchmarkConfig::default().tool(Callgrind::default().soft_limits([(EventKind::Ir, 2.0)])),
