@@ -36,6 +36,10 @@ fi
 # README.md and the built example must be equal.
 compare <(sed -n '/^```c$/,/^```$/{//!p}' README.md) examples/minimal.c
 
+version=$(sed -n 's/^version = "\(.*\)"$/\1/p' ../../Cargo.toml | head -1)
+grep -q "PACKAGE_VERSION $version)" cmake/stackless-config-version.cmake
+grep -q "\"${version%.*}\"" cmake/stackless-config-version.cmake
+
 ./install.sh "$made/installed"
 installed=$made/installed
 export PKG_CONFIG_PATH=$installed/lib/pkgconfig LD_LIBRARY_PATH=$installed/lib
@@ -79,6 +83,12 @@ for c in g++ clang++; do
     # The long form of it: benches/records/2026-11-30-soak.md.
     "$made/soak" "$made" 3 > /dev/null
     "$made/soak-asan" "$made" 3 > /dev/null
+done
+
+# Arguments drawn from bytes.
+for precision in -DDOUBLE -DSINGLE; do
+    clang++ "${warnings[@]}" -std=c++17 "${sanitize[@]}" -fsanitize=fuzzer "$precision" tests/fuzz.cpp "${static[@]}" -o "$made/fuzz"
+    (cd "$made" && ./fuzz -runs=2000 -max_len=512 -seed=1 2> fuzz.log) || { cat "$made/fuzz.log"; exit 1; }
 done
 
 # Build as users do.

@@ -17,7 +17,7 @@ pub(crate) mod nearest;
 mod once;
 mod placement;
 mod ray;
-mod region;
+pub(crate) mod region;
 pub(crate) mod slabs;
 mod triangle;
 pub(crate) mod truth;

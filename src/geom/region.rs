@@ -29,17 +29,15 @@ struct Near {
     short: Vec4,
     /// The distances from the center to the sides of the box, rounded.
     half: DVec3,
-    /// Rays that start farther from the center on some axis are distant.
-    afar: f64,
 }
 
 /// A direction is also short if all its components are below this. Slab tests in single precision replace a component
 /// of 0 by 2^-128 or 2^-126; for short directions the other components are not great enough for this to have no effect.
 pub(super) const SHORT: f64 = power_of_two(-102);
 
-/// A ray is distant if it starts farther from the center of the box, on some axis, than this number of times half of
-/// the longest edge.
-const AFAR: f64 = 4.0;
+/// In double precision, a ray is distant if it starts farther from the origin of the frame, on some axis, than this
+/// number of reaches.
+pub(super) const NEAR: f64 = 4.0;
 
 /// A bound of all rounding errors in [`Region::is_passed_by`], relative to a coordinate and a component. `[BOX-9]`
 const PASSING: f64 = 16.0 * (f64::EPSILON / 2.0);
@@ -137,11 +135,13 @@ impl Region {
     /// are not distant, and for tiny numbers. `[BOX-9]`
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray<DVec3>) -> bool {
-        let Near { middle, half, afar, .. } = self.near;
-        let (start, direction) = (self.frame.rounded(ray.origin()) - middle.truncate().as_dvec3(), ray.direction());
-        if start.abs().cmple(DVec3::splat(afar)).all() {
+        let origin = self.frame.rounded(ray.origin());
+        // The comparison of the preparation of a ray, so that near rays make it once.
+        if origin.abs().max_element() <= NEAR * f64::from(self.reach_in_frame) {
             return false;
         }
+        let Near { middle, half, .. } = self.near;
+        let (start, direction) = (origin - middle.truncate().as_dvec3(), ray.direction());
         let speed = direction.abs();
         let coordinate = start.abs().max_element() + f64::from(self.reach_in_frame);
         let product = coordinate * speed.max_element();
@@ -172,8 +172,7 @@ impl Region {
 fn near_of(aabb: &Aabb, size: f64) -> Near {
     if aabb.lo.cmpgt(aabb.hi).any() {
         // No point is far from an empty box.
-        let (half, afar) = (DVec3::INFINITY, f64::INFINITY);
-        return Near { middle: Vec4::ZERO, far: f32::INFINITY, short: Vec4::ZERO, half, afar };
+        return Near { middle: Vec4::ZERO, far: f32::INFINITY, short: Vec4::ZERO, half: DVec3::INFINITY };
     }
     let far = (FAR * size).min(f64::from(f32::MAX));
     // Coordinates are at most 2^126.
@@ -181,6 +180,5 @@ fn near_of(aabb: &Aabb, size: f64) -> Near {
     let short = Vec3::splat(((longest / f64::from(f32::MAX)) as f32).max(SHORT as f32)).extend(f32::INFINITY);
     let middle = aabb.lo * 0.5 + aabb.hi * 0.5;
     let half = (aabb.hi.as_dvec3() - middle.as_dvec3()).max(middle.as_dvec3() - aabb.lo.as_dvec3());
-    let afar = AFAR * half.max_element();
-    Near { middle: middle.extend(0.0), far: far as f32, short, half, afar }
+    Near { middle: middle.extend(0.0), far: far as f32, short, half }
 }

@@ -7,6 +7,7 @@ use glam::{BVec4A, DVec3, Vec4};
 use super::entered::{Approach, Entered, Entry, MAX_LENGTH, MAX_UNIT};
 use super::slabs64::{BEYOND, LEAST};
 use crate::geom::frame::power_of_two;
+use crate::geom::region::NEAR;
 use crate::geom::{Ray, Region};
 
 /// Bounds of a ray in the frame of the boxes, from its start or from its entry into their region. `[BOX-8]`
@@ -24,10 +25,6 @@ pub(in crate::geom) struct Framed {
     pub(in crate::geom) unit: f64,
     pub(in crate::geom) start: f64,
 }
-
-/// A ray that starts within this number of reaches of the frame's origin need not be moved to its entry into the
-/// region.
-const NEAR: f64 = 4.0;
 
 /// An upper bound of the distance to the next float, relative to a number.
 const STEP: f32 = f32::EPSILON;
