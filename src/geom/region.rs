@@ -29,14 +29,16 @@ struct Near {
     short: Vec4,
     /// The distances from the center to the sides of the box, rounded.
     half: DVec3,
+    /// Rays that start farther from the center on some axis are distant, in single precision.
+    afar: f32,
 }
 
 /// A direction is also short if all its components are below this. Slab tests in single precision replace a component
 /// of 0 by 2^-128 or 2^-126; for short directions the other components are not great enough for this to have no effect.
 pub(super) const SHORT: f64 = power_of_two(-102);
 
-/// In double precision, a ray is distant if it starts farther from the origin of the frame, on some axis, than this
-/// number of reaches.
+/// A ray is distant if it starts farther from the center of the box, on some axis, than this number of times half of
+/// the longest edge. In double precision: farther from the origin of the frame than this number of reaches.
 pub(super) const NEAR: f64 = 4.0;
 
 /// A bound of all rounding errors in [`Region::is_passed_by`], relative to a coordinate and a component. `[BOX-9]`
@@ -131,17 +133,30 @@ impl Region {
         is_far && self.size > 0.0 && self.size < f64::INFINITY
     }
 
-    /// Returns whether a distant ray certainly misses the box, so that it needs no preparation. `false` for rays that
-    /// are not distant, and for tiny numbers. `[BOX-9]`
+    /// Returns whether a distant ray in single precision certainly misses the box, so that it needs no preparation.
+    /// `[BOX-9]`
+    #[inline(always)]
+    pub(crate) fn is_passed_by_single(&self, ray: &Ray) -> bool {
+        // The difference is also that of the preparation of a ray, so near rays make it once.
+        let is_near = (ray.origin().extend(0.0) - self.near.middle).abs().cmple(Vec4::splat(self.near.afar)).all();
+        !is_near && self.is_missed_by(self.frame.rounded(ray.origin().as_dvec3()), ray.direction().as_dvec3())
+    }
+
+    /// The same for a ray in double precision.
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray<DVec3>) -> bool {
+        // Coordinates and comparison are also those of the preparation.
         let origin = self.frame.rounded(ray.origin());
-        // The comparison of the preparation of a ray, so that near rays make it once.
-        if origin.abs().max_element() <= NEAR * f64::from(self.reach_in_frame) {
-            return false;
-        }
+        let is_near = origin.abs().max_element() <= NEAR * f64::from(self.reach_in_frame);
+        !is_near && self.is_missed_by(origin, ray.direction())
+    }
+
+    /// Returns whether a ray, whose rounded origin in the frame is given, certainly misses the box. `false` for tiny
+    /// numbers. `[BOX-9]`
+    #[inline]
+    fn is_missed_by(&self, origin: DVec3, direction: DVec3) -> bool {
         let Near { middle, half, .. } = self.near;
-        let (start, direction) = (origin - middle.truncate().as_dvec3(), ray.direction());
+        let start = origin - middle.truncate().as_dvec3();
         let speed = direction.abs();
         let coordinate = start.abs().max_element() + f64::from(self.reach_in_frame);
         let product = coordinate * speed.max_element();
@@ -172,7 +187,8 @@ impl Region {
 fn near_of(aabb: &Aabb, size: f64) -> Near {
     if aabb.lo.cmpgt(aabb.hi).any() {
         // No point is far from an empty box.
-        return Near { middle: Vec4::ZERO, far: f32::INFINITY, short: Vec4::ZERO, half: DVec3::INFINITY };
+        let (far, half) = (f32::INFINITY, DVec3::INFINITY);
+        return Near { middle: Vec4::ZERO, far, short: Vec4::ZERO, half, afar: far };
     }
     let far = (FAR * size).min(f64::from(f32::MAX));
     // Coordinates are at most 2^126.
@@ -180,5 +196,6 @@ fn near_of(aabb: &Aabb, size: f64) -> Near {
     let short = Vec3::splat(((longest / f64::from(f32::MAX)) as f32).max(SHORT as f32)).extend(f32::INFINITY);
     let middle = aabb.lo * 0.5 + aabb.hi * 0.5;
     let half = (aabb.hi.as_dvec3() - middle.as_dvec3()).max(middle.as_dvec3() - aabb.lo.as_dvec3());
-    Near { middle: middle.extend(0.0), far: far as f32, short, half }
+    let afar = (NEAR * half.max_element()) as f32;
+    Near { middle: middle.extend(0.0), far: far as f32, short, half, afar }
 }

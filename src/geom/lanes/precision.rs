@@ -134,8 +134,8 @@ impl Precision for Vec3 {
     const MOST_OFF: f64 = MAX_COORDINATE as f64;
 
     #[inline(always)]
-    fn passes_by(_: &Ray, _: &Region) -> bool {
-        false
+    fn passes_by(ray: &Ray, region: &Region) -> bool {
+        region.is_passed_by_single(ray)
     }
 
     #[inline(always)]

@@ -209,3 +209,23 @@ fn from_afar_no_box_that_is_touched_is_left_out() {
     }
     assert!(touched > 1000, "{touched}");
 }
+
+/// No ray that touches a box passes by it, from near or from afar. [BOX-9]
+#[test]
+fn what_is_touched_is_not_passed_by() {
+    let (mut draw, mut touched, mut passed) = (Draw::new(5), 0, 0);
+    for _ in 0..40_000 {
+        let (aabb, d) = (Aabb::of(&[draw.ints(3), draw.ints(3)]), draw.ints(3));
+        let corner = aabb.lo.with_x(aabb.hi.x);
+        let target = one_of([aabb.lo, aabb.hi, corner, aabb.lo * 0.5 + aabb.hi * 0.5], &mut draw);
+        // The origin is exact, up to about 2^20.
+        let o = draw.nudged(target - d * 2f32.powi(draw.below(40) as i32), 1);
+        let Ok(ray) = Ray::new(o, d * one_of([1.0, -1.0, 1e-30, 1e30], &mut draw)) else { continue };
+        let is_passed_by = Region::of(&aabb).is_passed_by_single(&ray);
+        let [lo, hi] = [aabb.lo, aabb.hi].map(|v| v.to_array());
+        let entry = truth::entry(o.to_array(), ray.direction().to_array(), [0.0, f32::INFINITY], lo, hi);
+        assert!(!(is_passed_by && entry.is_some()), "{ray:?} {aabb:?}");
+        (touched, passed) = (touched + u32::from(entry.is_some()), passed + u32::from(is_passed_by));
+    }
+    assert!(touched > 5000 && passed > 5000, "{touched} {passed}");
+}
