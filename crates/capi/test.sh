@@ -81,6 +81,22 @@ for c in g++ clang++; do
     "$made/soak-asan" "$made" 3 > /dev/null
 done
 
+# The conformance suite. In single precision all cases of the level `ray` must be sent.
+conform() {
+    python3 ../../spec/suite/conform.py --level ray --timeout 60 -- "$@" | tee "$made/conform.txt"
+    if (($# == 1)) && ! grep -q ' 0 failed, 0 not asked' "$made/conform.txt"; then
+        echo "$1: some cases of the level ray were not asked" >&2
+        return 1
+    fi
+}
+for c in g++ clang++; do
+    "$c" "${warnings[@]}" -std=c++17 tests/conform.cpp -o "$made/conform" "${shared[@]}"
+    conform "$made/conform"
+    conform "$made/conform" double
+done
+g++ "${warnings[@]}" -std=c++17 tests/conform.cpp -o "$made/conform-asan" "${sanitize[@]}" "${static[@]}"
+conform "$made/conform-asan"
+
 # Build as users do.
 rm -rf "$made/examples"
 cmake -S examples -B "$made/examples" -DCMAKE_PREFIX_PATH="$installed" > "$made/cmake.log"
