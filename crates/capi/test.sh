@@ -91,6 +91,20 @@ for precision in -DDOUBLE -DSINGLE; do
     (cd "$made" && ./fuzz -runs=2000 -max_len=512 -seed=1 2> fuzz.log) || { cat "$made/fuzz.log"; exit 1; }
 done
 
+# The conformance suite. In single precision all cases of the level `ray` must be sent.
+conform() {
+    python3 ../../spec/suite/conform.py --level ray --timeout 60 -- "$@" | tee "$made/conform.txt"
+    if (($# == 1)) && ! grep -q ' 0 failed, 0 not asked' "$made/conform.txt"; then
+        echo "$1: some cases of the level ray were not asked" >&2
+        return 1
+    fi
+}
+g++ "${warnings[@]}" -std=c++17 tests/conform.cpp -o "$made/conform" "${shared[@]}"
+conform "$made/conform"
+conform "$made/conform" double
+clang++ "${warnings[@]}" -std=c++17 tests/conform.cpp -o "$made/conform-asan" "${sanitize[@]}" "${static[@]}"
+conform "$made/conform-asan"
+
 # Build as users do.
 rm -rf "$made/examples"
 cmake -S examples -B "$made/examples" -DCMAKE_PREFIX_PATH="$installed" > "$made/cmake.log"

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Writes PEERS.md: what ray tracers answer to the level `ray`, by case.
 
-usage: peers.py STACKLESS PYTHON > PEERS.md
+usage: peers.py STACKLESS PYTHON LIBSTACKLESS > PEERS.md
 
 STACKLESS is the command, built with `cargo build --release --features peers`; PYTHON one that has embreex and open3d.
+LIBSTACKLESS is the adapter crates/capi/tests/conform.cpp, compiled.
 """
 
 import collections
@@ -14,6 +15,8 @@ import sys
 
 IMPLEMENTATIONS = {
     "exact": ["--accuracy", "exact"],
+    # The last argument.
+    "libstackless": None,
     "precise": ["--accuracy", "precise"],
     "watertight": ["--accuracy", "watertight"],
     "fast": ["--accuracy", "fast"],
@@ -28,6 +31,7 @@ IMPLEMENTATIONS = {
     "embreex": "embreex",
     "open3d": "open3d",
 }
+HERE = pathlib.Path(__file__).parent
 NOT_ASKED = "not asked"
 PROFILES = ("grid", "exact", "watertight", "parity", "ulp-8", "ulp-256")
 
@@ -35,8 +39,9 @@ TEXT = """\
 # Results of ray tracers on the level `ray`
 
 [peers.py](peers.py) writes this page. The rows `exact`, `precise`, `watertight` and `fast` are this library, with different triangle tests.
-The other tracers do not promise exact answers. The [record of benchmarks](../../benches/records/2026-11-21-trees.md) lists their versions.
-Embree is the package of Debian, with assertions. embreex 4.4.0 and Open3D 0.20.0 are the wheels of PyPI, which contain Embree;
+`libstackless` is its C interface, by [conform.cpp](../../crates/capi/tests/conform.cpp). The other tracers do not
+promise exact answers. The [record of benchmarks](../../benches/records/2026-11-21-trees.md) lists their versions. Embree is
+the package of Debian, with assertions. embreex 4.4.0 and Open3D 0.20.0 are the wheels of PyPI, which contain Embree;
 [adapters/tracers.py](adapters/tracers.py) runs them.
 
 | word | meaning |
@@ -113,23 +118,28 @@ def group(case):
     return f"`grid`: {part if part in ('inside', 'edges') else 'ends'}" if profile == "grid" else f"`{profile}`"
 
 
+def command_of(args):
+    if args is None:
+        return [sys.argv[3]]
+    if isinstance(args, str):
+        return [sys.argv[2], str(HERE / "adapters/tracers.py"), args]
+    return [sys.argv[1], "suite", "serve", *args]
+
+
 def row(cells):
     print("|", " | ".join(str(cell) for cell in cells), "|")
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
-    here = pathlib.Path(__file__).parent
-    vectors = here / "vectors/ray"
+    vectors = HERE / "vectors/ray"
     profiles = {profile: json.loads((vectors / f"{profile}.json").read_text()) for profile in PROFILES}
     cases = [(profile, case) for profile, file in profiles.items() for case in file["cases"]]
     found = {name: {} for name in IMPLEMENTATIONS}
     for name, args in IMPLEMENTATIONS.items():
         print(f"{name} ...", file=sys.stderr)
-        foreign = [sys.argv[2], str(here / "adapters/tracers.py"), args]
-        command = foreign if isinstance(args, str) else [sys.argv[1], "suite", "serve", *args]
-        hello, said = answers(command, cases)
+        hello, said = answers(command_of(args), cases)
         for (profile, case), reply in zip(cases, said, strict=True):
             rays = compare(case["expect"], reply, "weights" in hello["features"])
             is_asked = f"ray/{profile}" in hello["profiles"]

@@ -219,7 +219,8 @@ fn what_is_touched_is_not_passed_by() {
         let corner = aabb.lo.with_x(aabb.hi.x);
         let target = one_of([aabb.lo, aabb.hi, corner, aabb.lo * 0.5 + aabb.hi * 0.5], &mut draw);
         // The origin is exact, up to about 2^20.
-        let o = draw.nudged(target - d * 2f32.powi(draw.below(40) as i32), 1);
+        let far = 2f32.powi(draw.below(40) as i32);
+        let o = draw.nudged(target - d * far, 1);
         let Ok(ray) = Ray::new(o, d * one_of([1.0, -1.0, 1e-30, 1e30], &mut draw)) else { continue };
         let is_passed_by = Region::of(&aabb).is_passed_by_single(&ray);
         let [lo, hi] = [aabb.lo, aabb.hi].map(|v| v.to_array());
