@@ -1,12 +1,15 @@
 //! The threads of this process. A forked child has none of its parent's threads.
 
 use std::ops::Range;
+use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use crate::errors::failed;
 
 /// Maximum number of rays for a single thread: waking another thread would take longer. The library has an equal limit.
 pub(crate) const FEW: usize = 256;
@@ -52,6 +55,24 @@ impl Threads {
             Some(pool) => pool.install(work),
             None => work(),
         }
+    }
+
+    /// Runs work on these threads without the interpreter's lock, and meanwhile other work on this thread with the lock.
+    pub(crate) fn run_beside<A: Send, B>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce() -> PyResult<A> + Send,
+        beside: impl FnOnce() -> B,
+    ) -> (PyResult<A>, B) {
+        let Some(pool) = &self.0 else { return (py.detach(work), beside()) };
+        pool.in_place_scope(|scope| {
+            let (sender, receiver) = channel();
+            scope.spawn(move |_| drop(sender.send(work())));
+            let other = beside();
+            // The scope itself would wait with the lock.
+            let answer = py.detach(move || receiver.recv());
+            (answer.unwrap_or_else(|_| Err(failed("the threads have ended early"))), other)
+        })
     }
 
     /// Computes an item for each index. Of several errors it returns the first.
