@@ -1,7 +1,10 @@
 // Lost particles: tracks particles through volumes by libstackless, by Embree in single precision (robust), and by
 // Embree's boxes with triangles in double precision, as double-down does for DAGMC and OpenMC. Counts lost particles.
 //
-//     [EMBREE_LIBRARY=libembree4.so.4] [SHOW=3] particles PARTICLES [PART.ply]
+//     [EMBREE_LIBRARY=libembree4.so.4] [SHOW=3] particles PARTICLES [ASSEMBLY...]
+//
+// ASSEMBLY is `blocks` (see assembly.hpp), `turned` (the blocks with rounded coordinates), or a closed part in a PLY
+// file. SHOW prints the first lost particles of each tracker.
 //
 // The particles, of each kind: in a random direction, aimed at vertices, between vertices (along edges and within
 // walls), and in a new random direction after each crossing. All trackers begin in the true volume.
@@ -99,7 +102,10 @@ static particle make_particle(const world& w, kind of, double unit, std::mt19937
         }
     } while (dot(p.direction, p.direction) == 0);
     // The volume just behind the start.
-    p.start = w.where(line(p.origin, p.direction, 0, INFINITE), std::numeric_limits<double>::denorm_min());
+    const auto ray = line(p.origin, p.direction, std::numeric_limits<double>::denorm_min(), INFINITE);
+    const auto hit = w.whole.closest(ray);
+    const auto known = hit ? w.around(*hit, p.direction) : std::nullopt;
+    p.start = known ? (*known)[0] : w.where(ray, ray.tmin);
     if (p.start == volumes) {
         fail("a particle starts in no volume");
     }
@@ -113,28 +119,48 @@ static double processor_seconds()
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-static void show(const world& w, const char* what, const particle& p, const track& t, const step& s)
+// Prints a step, and the exact volumes on its line.
+static void show(const world& w, const char* who, const particle& p, const track& t, const step& s)
 {
+    const auto print = [](const char* what, const point& x) {
+        std::printf(" %s (%.17g, %.17g, %.17g)", what, x[0], x[1], x[2]);
+    };
     const point d = minus(s.to, s.from);
-    const auto near = w.cells[s.in].boundary.nearest_n(std::array<point, 1>{s.from}, w.size)[0];
-    std::printf("  %s: start %.17g %.17g %.17g direction %.17g %.17g %.17g; step %td of %zu in volume %d, length %g, "
-                "from %.17g %.17g %.17g, %g from its boundary; volumes along the step:", what, p.origin[0],
-                p.origin[1], p.origin[2], p.direction[0], p.direction[1], p.direction[2], &s - t.steps.data(),
-                t.steps.size(), s.in, std::sqrt(dot(d, d)), s.from[0], s.from[1], s.from[2], near.distance);
+    const double length = std::sqrt(dot(d, d));
+    std::printf("  %s: %s,", who, t.is_lost ? "lost" : "wrong");
+    print("from", p.origin);
+    print("direction", p.direction);
+    std::printf("\n    step %td of %zu: %g in volume %d", &s - t.steps.data() + 1, t.steps.size(), length, s.in);
+    print("from", s.from);
+    std::printf(", volumes:");
     double at = 0;
-    for (int i = 0; i < 6 && at < 1; i++) {
+    while (at < 1) {
         const volume it = w.where(line(s.from, d, 0, INFINITE), at);
         const auto hit = it == volumes ? std::nullopt : w.cells[it].boundary.closest(line(s.from, d, at, INFINITE));
         at = hit ? std::nextafter(hit->t, INFINITE) : 1;
-        std::printf(" %d to %g", it, at * std::sqrt(dot(d, d)));
+        std::printf(" %d up to %g", it, at * length);
     }
     std::printf("\n");
 }
 
 struct counts {
-    long steps = 0, lost = 0, wrong = 0, shown = 0;
+    long steps = 0, lost = 0, wrong = 0;
     double seconds = 0;
 };
+
+// The first step that is not right, or null. Steps near those of a right track are right.
+static const step* first_wrong(const world& w, const track& t, const track* right)
+{
+    for (std::size_t i = 0; i < t.steps.size(); i++) {
+        const step& s = t.steps[i];
+        const bool is_near = right != nullptr && i < right->steps.size() && right->steps[i].in == s.in &&
+                             w.are_near(right->steps[i].from, s.from) && w.are_near(right->steps[i].to, s.to);
+        if (!is_near && w.is_wrong(s)) {
+            return &s;
+        }
+    }
+    return nullptr;
+}
 
 // Returns the number of particles that libstackless loses.
 static long compare(const char* name, assembly from, double unit, handle device, long particles)
@@ -159,8 +185,11 @@ static long compare(const char* name, assembly from, double unit, handle device,
             for (; batch.size() < 1000 && done < particles; done++) {
                 batch.push_back(make_particle(w, static_cast<kind>(of), unit, random));
             }
+            // Of libstackless, if they are right.
+            std::vector<track> right;
             for (std::size_t i = 0; i < names.size(); i++) {
                 std::vector<track> tracks(batch.size());
+                counts& sum = found[i];
                 const double before = processor_seconds();
                 for (std::size_t j = 0; j < batch.size(); j++) {
                     if (i > 0) {
@@ -169,19 +198,22 @@ static long compare(const char* name, assembly from, double unit, handle device,
                         (of == TURNING ? follow_turns : follow_line)(w, batch[j], tracks[j]);
                     }
                 }
-                counts& sum = found[i];
                 sum.seconds += processor_seconds() - before;
                 for (std::size_t j = 0; j < batch.size(); j++) {
-                    const track& t = tracks[j];
+                    track& t = tracks[j];
+                    const step* const wrong = first_wrong(w, t, i > 0 ? &right[j] : nullptr);
                     sum.steps += static_cast<long>(t.steps.size());
-                    const auto wrong = std::find_if(t.steps.begin(), t.steps.end(),
-                                                    [&](const step& s) { return w.is_wrong(s); });
-                    const bool is_wrong = wrong != t.steps.end();
                     sum.lost += t.is_lost;
-                    sum.wrong += is_wrong && !t.is_lost;
-                    if ((t.is_lost || is_wrong) && sum.shown++ < most) {
-                        show(w, t.is_lost ? "lost" : "wrong", batch[j], t, is_wrong ? *wrong : t.steps.back());
+                    sum.wrong += wrong != nullptr && !t.is_lost;
+                    if ((wrong != nullptr || t.is_lost) && sum.lost + sum.wrong <= most) {
+                        show(w, names[i], batch[j], t, wrong != nullptr ? *wrong : t.steps.back());
                     }
+                    if (i == 0 && (wrong != nullptr || t.is_lost)) {
+                        t.steps.clear();
+                    }
+                }
+                if (i == 0) {
+                    right = std::move(tracks);
                 }
             }
         }
@@ -201,7 +233,7 @@ int main(int count, char** arguments)
 {
     const long particles = count > 1 ? std::atol(arguments[1]) : 0;
     if (particles <= 0) {
-        fail("usage: particles PARTICLES [PART.ply], PARTICLES at least 1");
+        fail("usage: particles PARTICLES [blocks|turned|PART.ply]..., PARTICLES at least 1");
     }
     handle device = nullptr;
     if (const char* const name = std::getenv("EMBREE_LIBRARY")) {
@@ -218,11 +250,13 @@ int main(int count, char** arguments)
         std::printf("Embree is skipped: EMBREE_LIBRARY is not set\n");
     }
     long failures = 0;
-    if (count > 2) {
-        failures += compare(arguments[2], read_part(arguments[2]), 0, device, particles);
-    } else {
-        failures += compare("blocks", make_assembly(), grid, device, particles);
-        failures += compare("blocks, turned", turned(make_assembly()), 0, device, particles);
+    const std::vector<std::string> names = count > 2 ? std::vector<std::string>(arguments + 2, arguments + count)
+                                                     : std::vector<std::string>{"blocks", "turned"};
+    for (const std::string& name : names) {
+        assembly made = name == "blocks"   ? make_assembly()
+                        : name == "turned" ? turned(make_assembly())
+                                           : read_part(name.c_str());
+        failures += compare(name.c_str(), std::move(made), name == "blocks" ? grid : 0, device, particles);
     }
     return failures != 0;
 }

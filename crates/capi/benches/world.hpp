@@ -123,6 +123,12 @@ struct world {
         }
     }
 
+    bool are_near(const point& p, const point& q) const
+    {
+        const point d = minus(p, q);
+        return dot(d, d) < 1e-12 * size * size;
+    }
+
     // Judges a step exactly, up to a tolerance.
     bool is_wrong(const step& s) const
     {
@@ -197,7 +203,7 @@ static assembly read_part(const char* name)
         std::memcpy(corners.data(), record + 1, 12);
         for (int k = 0; k < 3; k++) {
             const auto& v = floats.at(corners[k]);
-            const point p = {v[0] * 10 / size, v[1] * 10 / size, v[2] * 10 / size};
+            const point p = {v[0] * 10.0 / size, v[1] * 10.0 / size, v[2] * 10.0 / size};
             const auto found = known.try_emplace(p, static_cast<std::uint32_t>(made.vertices.size()));
             if (found.second) {
                 made.vertices.push_back(p);

@@ -10,7 +10,6 @@
 
 #include "assembly.hpp"
 
-// Of enum volume.
 const char* const names[volumes] = {"void", "left block", "middle block", "right block", "tube",
                                     "rod",  "shell",      "core",         "torus"};
 
