@@ -83,6 +83,9 @@ for c in g++ clang++; do
     # The long form of it: benches/records/2026-11-30-soak.md.
     "$made/soak" "$made" 3 > /dev/null
     "$made/soak-asan" "$made" 3 > /dev/null
+    # Without Embree. The comparison with it: benches/records/2026-11-30-particles.md.
+    "$c" "${warnings[@]}" -std=c++17 benches/particles.cpp -o "$made/particles" "${shared[@]}" -ldl
+    env -u EMBREE_LIBRARY "$made/particles" 1000
 done
 
 # Arguments drawn from bytes.
