@@ -5,17 +5,15 @@
 
 use std::error::Error;
 
-use stackless_bvh::hash::Lookup;
-use stackless_bvh::key::KeyWord;
 use stackless_bvh::order::{Descent, Flow, Visitor};
-use stackless_bvh::traverse::{HashOnly, traverse};
-use stackless_bvh::tree::{Node, Topology};
+use stackless_bvh::traverse::{Afra, traverse};
+use stackless_bvh::tree::{Node, Recorded, Topology};
 
-/// The closest point of an arch, by a traversal that keeps a key and a trail.
+/// The closest point of an arch, by a traversal that keeps a trail.
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let arch = [[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]];
     let mut search = Search::new(&arch, [0.5, 3.0], 1e-9)?;
-    traverse(HashOnly::<u32, _, _>::new(&Halves(28), Halves(28))?, &mut search, &mut ());
+    traverse(Afra::<u32, _>::new(&Halves(28))?, &mut search, &mut ());
     let [lo, hi] = search.distance();
     println!("t = {}, distance in [{lo}, {hi}], {} intervals split", search.t, search.splits);
     assert!(hi - lo <= 1e-9 && search.splits < 50);
@@ -80,6 +78,14 @@ impl Topology for Halves {
     fn depth(&self) -> u32 {
         self.0
     }
+    fn recorded(&self) -> Recorded {
+        Recorded::ParentSibling
+    }
+    /// Computes parent and sibling, which other trees store.
+    fn links(&self, node: Node) -> [Node; 2] {
+        let key = node.index() as u32;
+        if key == 1 { [node; 2] } else { [key >> 1, key ^ 1].map(|key| self.at(key)) }
+    }
 }
 
 fn halves(key: usize) -> [usize; 2] {
@@ -90,13 +96,6 @@ fn halves(key: usize) -> [usize; 2] {
 fn ends(key: usize) -> [f64; 2] {
     let count = 1 << key.ilog2();
     [key - count, key - count + 1].map(|i| i as f64 / count as f64)
-}
-
-/// Computes the address of a key, where other trees have a hash table.
-impl<W: KeyWord> Lookup<W> for Halves {
-    fn node(&self, key: &W) -> Node {
-        self.at(key.low_bits())
-    }
 }
 
 /// A search for the closest point. [CURVE-1]

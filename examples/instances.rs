@@ -4,10 +4,10 @@
 //!
 //! `cargo run --release --example instances`
 
-use glam::Vec3;
 use stackless_bvh::bvh::{BuildOptions, WideBvh};
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::{AffineMap, Ray};
+use stackless_bvh::glam::Vec3;
 use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, Object, RayQueries};
 use stackless_bvh::traverse::Method;
 

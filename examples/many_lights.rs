@@ -6,7 +6,7 @@
 //!
 //! `cargo run --release --example many_lights`
 
-use glam::Vec3;
+use stackless_bvh::glam::Vec3;
 use stackless_bvh::order::{Descent, Flow, Side, Visitor};
 use stackless_bvh::traverse::{Uncle, traverse};
 use stackless_bvh::tree::{Linked, Node, Topology, Tree};

@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release --example nearest_point`
 
-use glam::Vec3;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ball;
+use stackless_bvh::glam::Vec3;
 use stackless_bvh::trace::{MeshQueries, Tracer};
 
 /// Computes the distance from the corner of a cube to the soup in it.

@@ -3,9 +3,9 @@
 //!
 //! `cargo run --release --example next_hits`
 
-use glam::Vec3;
 use stackless_bvh::generate::procedural;
 use stackless_bvh::geom::Ray;
+use stackless_bvh::glam::Vec3;
 use stackless_bvh::trace::{MeshQueries, RayQueries, Tracer};
 
 /// Computes the light that passes through a soup of triangles, each of which transmits nine tenths.

@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release --example own_primitives`
 
-use glam::Vec3;
 use stackless_bvh::bvh::{Bounded, Bvh};
 use stackless_bvh::geom::{Aabb, Kernel, Ray, Region};
+use stackless_bvh::glam::Vec3;
 use stackless_bvh::trace::BinaryTracer;
 use stackless_bvh::traverse::Method;
 use stackless_bvh::tree::Topology;
@@ -58,7 +58,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let place = |i: u32| Vec3::new((i % 100) as f32, (i / 100) as f32, 0.0);
     let spheres: Vec<_> = (0..10_000).map(|i| Sphere { center: place(i), radius: 0.3 }).collect();
     let bvh = Bvh::build(&spheres[..])?;
-    let tracer = BinaryTracer::<_, SphereTest>::with_tests(&bvh, Method::Hashed)?;
+    let tracer = BinaryTracer::<_, SphereTest>::with_tests(&bvh, Method::default())?;
 
     let ray = Ray::new(Vec3::new(-5.0, 42.0, 0.0), Vec3::X)?;
     let hit = tracer.closest_distance(&ray);

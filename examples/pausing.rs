@@ -1,6 +1,6 @@
 //! A search in slices: it stops when its budget is used up, and continues in another thread from a few bytes.
 //!
-//! Without a stack, the state of a traversal is a few words, whatever the depth of the tree (`spec/state.md`).
+//! Without a stack, the state of a traversal is a few words, for every depth of the tree (`spec/state.md`).
 //!
 //! `cargo run --release --example pausing`
 
@@ -55,7 +55,7 @@ fn slice(search: &mut Overlaps<'_>, state: &[u8]) -> Result<Option<Vec<u8>>, Box
     Ok(next.map(|next| states.to_bytes(&cursor.put_aside(next))))
 }
 
-/// Finds the triangles in an eighth of a scene, each slice in a thread of its own.
+/// Finds the triangles in an eighth of a scene, each slice in a separate thread.
 pub(crate) fn main() -> Result<(), Box<dyn Error>> {
     let bvh = Bvh::build(&procedural::strands(1, 50))?;
     let Aabb { lo, hi } = bvh.bounds();

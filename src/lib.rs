@@ -47,9 +47,8 @@
 //!
 //! ```
 //! use stackless_bvh::order::{Descent, Flow, Side, Visitor};
-//! use stackless_bvh::traverse::{self, Hashed};
+//! use stackless_bvh::traverse::{self, Afra};
 //! use stackless_bvh::tree::{Node, Recorded, Tree};
-//! use stackless_bvh::hash::KeyMap;
 //!
 //! /// Collects the leaves from right to left.
 //! struct Leaves(Vec<usize>);
@@ -63,9 +62,9 @@
 //!     }
 //! }
 //!
-//! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?.with_links(Recorded::Uncles);
+//! let tree = Tree::new(&[Some([1, 2]), None, Some([3, 4]), None, None])?.with_links(Recorded::ParentSibling);
 //! let mut leaves = Leaves(Vec::new());
-//! traverse::traverse(Hashed::<u32, _, _>::new(&tree, &KeyMap::of(&tree))?, &mut leaves, &mut ());
+//! traverse::traverse(Afra::<u32, _>::new(&tree)?, &mut leaves, &mut ());
 //! assert_eq!(leaves.0, [4, 3, 1]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -38,7 +38,7 @@ use least::Least;
 /// `[FRAME-1]`
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, geom::Mesh};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

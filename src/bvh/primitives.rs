@@ -47,10 +47,9 @@ pub trait Primitives: Sync {
 /// A shape that has a box. With a [`Kernel`](crate::geom::Kernel) for it, rays can be traced:
 ///
 /// ```
-/// use glam::{DVec3, Vec3};
 /// use stackless_bvh::bvh::{Bounded, BuildOptions, Bvh};
 /// use stackless_bvh::geom::{Aabb, Kernel, Ray, Region};
-/// use stackless_bvh::internals::geom::slabs::Directed;
+/// use stackless_bvh::glam::{DVec3, Vec3};
 /// use stackless_bvh::trace::BinaryTracer;
 /// use stackless_bvh::traverse::Method;
 ///
@@ -95,7 +94,7 @@ pub trait Primitives: Sync {
 ///
 /// let spheres: Vec<_> = (0..100).map(|i| Sphere { center: Vec3::X * i as f32, radius: 0.25 }).collect();
 /// let bvh = Bvh::build(&spheres[..])?;
-/// let tracer = BinaryTracer::<_, SphereTest, Directed>::with_tests(&bvh, Method::Hashed)?;
+/// let tracer = BinaryTracer::<_, SphereTest>::with_tests(&bvh, Method::default())?;
 /// let ray = Ray::new(Vec3::new(7.0, 0.0, -3.0), Vec3::Z)?;
 /// assert_eq!(tracer.closest_distance(&ray), Some((7, 2.75)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -51,7 +51,7 @@ impl<S> Bvh<S> {
     /// [`axes`](Self::axes) do not change.
     ///
     /// ```
-    /// use glam::Vec3;
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::{bvh::{self, Bvh, SahOptions}, geom::Mesh};
     ///
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

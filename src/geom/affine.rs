@@ -160,8 +160,8 @@ fn times(a: f64, x: Interval) -> Interval {
 /// first. It is the ground truth about instances, at the speed of rational arithmetic. `[INST-1]`
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::geom::AffineMap;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::internals::geom::meet_image;
 /// use stackless_bvh::internals::geom::truth::{Meeting, RBig};
 ///

@@ -8,8 +8,8 @@ use super::{EnvironmentError, Real, Vector, check_environment};
 /// precision, or with [`DVec3`] in double precision.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::geom::{Ball, BallError};
+/// use stackless_bvh::glam::Vec3;
 ///
 /// assert_eq!(Ball::around(Vec3::X)?.radius(), f32::INFINITY);
 /// assert_eq!(Ball::new(Vec3::X, -1.0), Err(BallError::Radius(-1.0)));

@@ -23,8 +23,8 @@ use super::{
 /// bounds do not decide. A copy is cheap.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::geom::{Ends, ExactPoint, Ray, Triangle};
+/// use stackless_bvh::glam::Vec3;
 ///
 /// let triangle = Triangle([Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 3.0]);
 /// let ray = Ray::new(Vec3::new(1.0, 1.0, -7.0), Vec3::new(0.1, 0.2, 3.0))?;

@@ -11,8 +11,8 @@ use super::{Aabb, EnclosedRay, Interval, Triangle, Vector};
 /// or a huge mesh. In a separate frame, each mesh is about as large as its distance from zero. `[FRAME-1]`
 ///
 /// ```
-/// use glam::DVec3;
 /// use stackless_bvh::geom::{Frame, Triangle};
+/// use stackless_bvh::glam::DVec3;
 ///
 /// let earth = Triangle([DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner + 6.4e6));
 /// let frame = Frame::around(earth.0);

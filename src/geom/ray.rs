@@ -10,8 +10,8 @@ use super::{EnvironmentError, Real, Vector, check_environment};
 /// The direction need not have unit length; `t` is in units of its length.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::geom::{Ray, RayError};
+/// use stackless_bvh::glam::Vec3;
 ///
 /// let ray = Ray::new(Vec3::ZERO, Vec3::X)?;
 /// assert_eq!((ray.tmin(), ray.tmax()), (0.0, f32::INFINITY));
@@ -87,8 +87,8 @@ impl<V: Vector> Ray<V> {
     /// because the arithmetic of the thread is checked once.
     ///
     /// ```
-    /// use glam::Vec3;
     /// use stackless_bvh::geom::{Ray, RayError};
+    /// use stackless_bvh::glam::Vec3;
     ///
     /// let toward = |z| (Vec3::ZERO, Vec3::Z * z, 0.0, 1.0);
     /// assert_eq!(Ray::collect([toward(2.0)]), Ok(vec![Ray::within(Vec3::ZERO, Vec3::Z * 2.0, 0.0, 1.0)?]));

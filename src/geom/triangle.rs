@@ -28,8 +28,8 @@ impl<V: Vector> Triangle<V> {
     /// tip, the corners run counterclockwise. Returns `None` without an area, or if a coordinate is not finite.
     ///
     /// ```
-    /// use glam::Vec3;
     /// use stackless_bvh::geom::Triangle;
+    /// use stackless_bvh::glam::Vec3;
     ///
     /// assert_eq!(Triangle([Vec3::ZERO, Vec3::X, Vec3::Y]).normal(), Some(Vec3::Z));
     /// assert_eq!(Triangle([Vec3::ZERO, Vec3::X, -Vec3::X]).normal(), None);

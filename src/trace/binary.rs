@@ -33,7 +33,7 @@ use crate::tree::Node;
 ///
 /// ```
 /// use std::sync::Arc;
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::{bvh::Bvh, geom::Mesh, geom::Ray, traverse::Method};
 /// use stackless_bvh::trace::{BinaryTracer, RayQueries};
 ///
@@ -43,8 +43,8 @@ use crate::tree::Node;
 /// assert_eq!((hit.prim, hit.t, hit.u, hit.v), (0, 3.0, 0.25, 0.5));
 ///
 /// let bvh = Bvh::build(&mesh)?;
-/// let hashed = BinaryTracer::with_method(&bvh, Method::Hashed)?;
-/// assert_eq!(hashed.closest_each(&[ray, ray]), [Some(hit); 2]);
+/// let stack = BinaryTracer::with_method(&bvh, Method::Stack)?;
+/// assert_eq!(stack.closest_each(&[ray, ray]), [Some(hit); 2]);
 ///
 /// let shared: BinaryTracer<Arc<Bvh>> = BinaryTracer::new(Arc::new(bvh));
 /// assert!(std::thread::spawn(move || shared.any(&ray)).join().is_ok_and(|any| any));

@@ -28,8 +28,8 @@ use border_tree::BorderTree;
 /// Topology of the edges of a mesh. Vertices of equal coordinates are one vertex.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::geom::Mesh;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::trace::Boundary;
 ///
 /// // A tetrahedron. A vertex in the middle of an edge divides one face.

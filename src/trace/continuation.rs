@@ -29,7 +29,7 @@ pub struct Place(Node);
 /// boxes, finds the addresses of leaf and sibling.
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::{bvh::{Bvh, SahOptions}, geom::Ray, generate::procedural};
 /// use stackless_bvh::trace::{BinaryTracer, Continuation, RayQueries};
 ///
@@ -45,7 +45,7 @@ pub struct Place(Node);
 ///     let origin = ray.origin() + ray.direction() * hit.t;
 ///     (ray, place) = (Ray::within(origin, -ray.direction().yzx(), 1e-3, f32::INFINITY)?, Some(leaf));
 /// }
-/// # use glam::Vec3Swizzles;
+/// # use stackless_bvh::glam::Vec3Swizzles;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Continuation<'t, T, K, B> {

@@ -17,9 +17,9 @@ use crate::tree::Node;
 /// All hits of a ray, exact: every closed triangle that it meets, edges and corners included. `[EXACT-1]`
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::bvh::Bvh;
 /// use stackless_bvh::geom::{Mesh, Ray};
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::internals::trace::AllHits;
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///
@@ -112,7 +112,7 @@ binary_query!([K: Kernel, B: Slabs<Vector = K::Vector>] AllHitsQuery<'_, K, B>, 
 /// and even otherwise, if the ray has no end and its origin is not on the mesh.
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::{bvh::Bvh, geom::Ray, generate::stress, trace::Crossings};
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///

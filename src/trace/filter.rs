@@ -63,8 +63,8 @@ pub trait Filterable<V: Vector>: RayQueries<Ray<V>, Hit = Hit<V::Real>> {
     /// one, in the order of [`all`](RayQueries::all). Queries without a filter do not become slower. `[FILTER-1]`
     ///
     /// ```
-    /// use glam::Vec3;
     /// use stackless_bvh::geom::{Mesh, Ray};
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::trace::{Filter, Filterable, Hit, RayQueries, Tracer};
     ///
     /// // Two equal triangles, and a third one behind them.

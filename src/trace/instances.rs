@@ -45,9 +45,9 @@ use wide_walk::{WideLevel, WideObject};
 /// and borrows nothing.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::bvh::{BuildOptions, Bvh};
 /// use stackless_bvh::geom::{AffineMap, Mesh, Ray};
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer, RayQueries};
 /// use stackless_bvh::traverse::Method;
 ///
@@ -59,7 +59,7 @@ use wide_walk::{WideLevel, WideObject};
 /// let grown = AffineMap::new([[2.0, 0.0, 0.0, 0.0], [0.0, 2.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]])?;
 /// let scene = assembly.add_group(vec![Instance { object: row, affine: grown }], &BuildOptions::default())?;
 ///
-/// let tracer = InstanceTracer::new(&assembly, scene, Method::Hashed)?;
+/// let tracer = InstanceTracer::new(&assembly, scene, Method::default())?;
 /// let hit = tracer.closest(&Ray::within(Vec3::new(1.0, 0.5, 0.0), Vec3::Z, 0.0, 10.0)?).ok_or("a miss")?;
 /// assert_eq!((hit.path, hit.prim, hit.t, hit.u, hit.v), (vec![0, 1], 0, 2.0, 0.5, 0.25));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -184,6 +184,7 @@ impl<V: Vector> InstanceTracer<V> {
     /// use stackless_bvh::bvh::Bvh;
     /// use stackless_bvh::generate::procedural;
     /// use stackless_bvh::geom::{Ends, ExactRay};
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::trace::{Assembly, InstanceTracer};
     /// use stackless_bvh::traverse::Method;
     ///
@@ -195,7 +196,7 @@ impl<V: Vector> InstanceTracer<V> {
     /// let mut ray = ExactRay::from(&procedural::rays(&mesh, 1, 1)[0]);
     /// for bounce in 0..20 {
     ///     let Some((_, point)) = tracer.closest_and_point(&ray) else { break };
-    ///     let direction = glam::Vec3::AXES[bounce % 3] - glam::Vec3::splat(0.3);
+    ///     let direction = Vec3::AXES[bounce % 3] - Vec3::splat(0.3);
     ///     ray = point.ray(direction, f32::INFINITY, Ends::Open)?;
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -10,9 +10,9 @@ use crate::geom::kernel::AffineTriangle;
 /// copy is built at its first use.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::bvh::Bvh;
 /// use stackless_bvh::geom::Mesh;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::internals::geom::kernel::AffineTriangle;
 /// use stackless_bvh::internals::trace::KernelBvhs;
 ///

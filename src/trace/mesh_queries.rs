@@ -12,7 +12,7 @@ pub trait MeshQueries<V: Vector> {
     /// hit the given triangle at a distance that rounds to `t`, hits after `t` itself count. `[EXACT-13]`
     ///
     /// ```
-    /// # use glam::Vec3;
+    /// # use stackless_bvh::glam::Vec3;
     /// # use stackless_bvh::{geom::Ray, geom::Mesh, trace::{MeshQueries, RayQueries, Tracer}};
     /// # let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2], [2, 1, 0], [1, 0, 2]])?;
     /// # let tracer = Tracer::of(&mesh)?;
@@ -32,7 +32,7 @@ pub trait MeshQueries<V: Vector> {
     /// none: an odd number of times from a point inside, an even number from a point outside. `[PARITY-1]`
     ///
     /// ```
-    /// use glam::DVec3;
+    /// use stackless_bvh::glam::DVec3;
     /// use stackless_bvh::{geom::Mesh, geom::Ray, trace::{MeshQueries, Tracer}};
     ///
     /// // A tetrahedron, and rays through its corners from inside.
@@ -52,7 +52,7 @@ pub trait MeshQueries<V: Vector> {
     /// from outside. `[PARITY-1]`
     ///
     /// ```
-    /// use glam::Vec3;
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::{generate::stress, geom::Mesh, geom::Ray, trace::{MeshQueries, Tracer}};
     ///
     /// // Two spheres that overlap.
@@ -82,7 +82,7 @@ pub trait MeshQueries<V: Vector> {
     /// the ball has fewer triangles. `[NEAR-2]`
     ///
     /// ```
-    /// use glam::DVec3;
+    /// use stackless_bvh::glam::DVec3;
     /// use stackless_bvh::{geom::Ball, geom::Mesh, trace::{MeshQueries, Tracer}};
     ///
     /// let mesh = Mesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z], vec![[0, 1, 2], [0, 1, 3]])?;

@@ -21,9 +21,9 @@ pub type Any<'a> = Search<'a, Exact, Directed, true, FromLeft>;
 /// A closest-hit query in double precision, exact. `[EXACT-7]`
 ///
 /// ```
-/// use glam::DVec3;
 /// use stackless_bvh::bvh::{Bvh, SahOptions};
 /// use stackless_bvh::geom::{Mesh, Ray};
+/// use stackless_bvh::glam::DVec3;
 /// use stackless_bvh::internals::trace::Closest64;
 /// use stackless_bvh::traverse::{Stack, traverse};
 ///

@@ -64,8 +64,8 @@ pub enum SolidError {
 /// The solid that a mesh bounds, with point queries; they are exact for closed meshes.
 ///
 /// ```
-/// use glam::Vec3;
 /// use stackless_bvh::generate::stress;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::trace::{Boundary, Location, Rule, Solid, Tracer};
 ///
 /// let mesh = stress::icosphere(2, 1.0, Vec3::ZERO)?;
@@ -124,8 +124,8 @@ impl<'t, T: MeshQueries<V>, V: Vector> Solid<'t, T, V> {
     /// It is also 0 on triangles without area, and infinite if there are no triangles. `[NEAR-1]` `[CLOSED-2]`
     ///
     /// ```
-    /// use glam::DVec3;
     /// use stackless_bvh::geom::Mesh;
+    /// use stackless_bvh::glam::DVec3;
     /// use stackless_bvh::trace::{Boundary, Rule, Solid, Tracer};
     ///
     /// let corners = vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];

@@ -40,7 +40,7 @@ pub(super) use shared::{Query as SharedQuery, run as run_shared};
 /// interleaved, two at a time: one ray computes while the other waits for memory.
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::{geom::Mesh, geom::Ray, trace::RayQueries, trace::Tracer};
 ///
 /// let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]])?;
@@ -51,7 +51,7 @@ pub(super) use shared::{Query as SharedQuery, run as run_shared};
 /// assert_eq!(tracer.any_each(&[ray, ray]), [true, true]);
 ///
 /// // Double precision, at the distance of the earth's surface from its center.
-/// use glam::DVec3;
+/// use stackless_bvh::glam::DVec3;
 /// let [x, y, z] = DVec3::AXES;
 /// let at = DVec3::splat(6.4e6);
 /// let mesh = Mesh::new(vec![at, at + x, at + y], vec![[0, 1, 2]])?;

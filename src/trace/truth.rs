@@ -45,7 +45,7 @@ impl<R: Number> TrueHit<R> {
 /// Returns all hits of a ray in the order (exact `t`, primitive), by tests of every triangle of the mesh.
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::{geom::Mesh, geom::Ray, internals::trace::brute_force};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {

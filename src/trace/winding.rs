@@ -26,8 +26,8 @@ use crate::geom::{Mesh, Ray, RayError, Real as _, Vector, fan};
 /// changes it by the hole's fraction of the view. For a point on the surface it is the number of one side.
 ///
 /// ```
-/// use glam::DVec3;
 /// use stackless_bvh::geom::Mesh;
+/// use stackless_bvh::glam::DVec3;
 /// use stackless_bvh::trace::{Boundary, Tracer, Winding};
 ///
 /// // A tetrahedron without one of its faces, from a point that sees all four under one angle.

@@ -3,7 +3,7 @@
 use stackless_bvh::generate::{Rng, Source};
 use stackless_bvh::internals::geom::truth::RBig;
 use stackless_bvh::oracle;
-use stackless_bvh::traverse::{HashOnly, traverse};
+use stackless_bvh::traverse::{Afra, traverse};
 
 use super::usage::curve::{Halves, Interval, Search, binomial};
 
@@ -81,7 +81,7 @@ fn enclosures_hold_and_are_those_of_the_oracle() {
         for tree in [1, 4, 28].map(Halves) {
             let [mut search, mut expected] = [(); 2].map(|()| start.clone());
             oracle::traverse(&tree, &mut expected, &mut ());
-            traverse(HashOnly::<u32, _, _>::new(&tree, tree).unwrap(), &mut search, &mut ());
+            traverse(Afra::<u32, _>::new(&tree).unwrap(), &mut search, &mut ());
             assert_eq!(search, expected);
             let [lo, hi] = search.distance();
             assert!(is_true(&points, to, search.t, [lo, hi]), "{points:?} {to:?} {search:?}");

@@ -47,7 +47,7 @@ use wide::{Manner, WideTree};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  \
     stackless bench examples/data/torus.ply examples/data/slivers.ply\n  \
-    stackless bench examples/data/room.obj --method hashed,wide-stack --kinds diffuse --count 1000000\n  \
+    stackless bench examples/data/room.obj --method afra,wide-stack --kinds diffuse --count 1000000\n  \
     stackless bench examples/data/torus.ply --accuracy fast,exact --kinds any,aimed --json bench.json")]
 pub(crate) struct Args {
     /// Mesh files (.ply, .obj, .stl, .gltf, .glb), or the generated scenes `strands`, `stadium`, `soup`.

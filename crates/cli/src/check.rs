@@ -31,7 +31,7 @@ pub(crate) use summary::Summary;
     stackless check\n  \
     stackless check examples/data/torus.ply --trees 1000\n  \
     stackless check --leaves 7\n  \
-    stackless check soup --double --method hashed,afra\n  \
+    stackless check soup --double --method uncle,afra\n  \
     stackless check --shard 3/64 --json 3.json\n  \
     stackless check --replay case.json")]
 pub(crate) struct Args {

@@ -14,7 +14,7 @@ use crate::{Outcome, input};
 /// The program reads one JSON object per line and answers with one line (spec/suite/INTERPRETING.md). The exit code is
 /// 0 if no case failed and every waiver is still needed, 1 otherwise, 2 if the program could not run.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:\n  stackless conform -- stackless suite serve --method hashed --word u32\n  \
+#[command(after_help = "Examples:\n  stackless conform -- stackless suite serve --method afra --word u32\n  \
     stackless conform --level trace -- python3 spec/suite/adapters/traverse.py")]
 pub(crate) struct Args {
     /// Read the suite from a folder like spec/suite. [default: the built-in suite]

@@ -50,7 +50,7 @@ pub(crate) struct Args {
     #[arg(long, value_enum)]
     heatmap: Option<Heat>,
     /// Traversals of the heat map, separated by commas: a panel for each, with a common scale.
-    #[arg(long, value_delimiter = ',', default_value = "hashed", value_parser = input::method())]
+    #[arg(long, value_delimiter = ',', default_value = "afra", value_parser = input::method())]
     #[arg(hide_possible_values = true)]
     method: Vec<Method>,
     /// Builder of the hierarchy. [default: standard, for `complete` median]

@@ -33,7 +33,7 @@ use counts::{DOUBLE, Row, WIDE};
 #[command(after_help = "Examples:\n  \
     stackless stress\n  \
     stackless stress --list\n  \
-    stackless stress --method wide-record,hashed --brief")]
+    stackless stress --method wide-record,afra --brief")]
 pub(crate) struct Args {
     /// Run only these cases, separated by commas (`--list` prints them). [default: all]
     #[arg(long, value_delimiter = ',', hide_possible_values = true)]

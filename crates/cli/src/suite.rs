@@ -23,7 +23,7 @@ use crate::{Outcome, input};
     stackless suite show --filter 'trace/script/three-*'\n  \
     stackless suite export --level key -o suite\n  \
     stackless suite serve --method afra --word u64\n  \
-    stackless suite serve --method wide-hashed")]
+    stackless suite serve --method wide-record")]
 pub(crate) struct Args {
     #[command(subcommand)]
     what: What,

@@ -109,7 +109,7 @@ pub fn load<V: Position>(path: &Path) -> Result<Loaded<V>, SceneError> {
 /// format. A `.gltf` must not refer to other files.
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_scene::read_named;
 ///
 /// let loaded = read_named::<Vec3>("one.obj".as_ref(), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")?;

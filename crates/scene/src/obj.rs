@@ -23,7 +23,9 @@ use super::text::{End, Lines, as_utf8, quote};
 /// skipped. Notes count them.
 ///
 /// ```
-/// let loaded = stackless_scene::read_obj::<glam::Vec3>(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
+/// use stackless_bvh::glam::Vec3;
+///
+/// let loaded = stackless_scene::read_obj::<Vec3>(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nfacet 1 2 3\nf 1 2 3\n")?;
 /// assert_eq!(loaded.mesh.triangles(), [[0, 1, 2]]);
 /// let said = "1 statement that OBJ does not have was skipped, the first in line 4: \"facet\"";
 /// assert_eq!(loaded.notes[0].to_string(), said);

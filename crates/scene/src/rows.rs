@@ -212,7 +212,7 @@ impl<R: Row> LoadedRows<R> {
 /// mark is ignored. Numbers are rounded to the precision of `R`; only `tmax` may be infinite.
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_scene::{Format, Point, read_rows_from};
 ///
 /// let points = read_rows_from::<Point<Vec3>>(&b"x,y,z\n1,2,3\n"[..], "points.csv", Format::Csv)?;

@@ -65,7 +65,7 @@ pub enum SavedError {
 /// Encodes a scene.
 ///
 /// ```
-/// use glam::DVec3;
+/// use stackless_bvh::glam::DVec3;
 /// use stackless_bvh::{bvh::WideBvh, geom::Mesh};
 /// use stackless_scene::{scene_from_bytes, scene_to_bytes};
 ///

@@ -19,8 +19,8 @@ const MOST: u32 = 13;
 /// [`MeshError::TooMany`] from level 14 on; [`MeshError::NonFinite`] if a coordinate overflows.
 ///
 /// ```
-/// use stackless_bvh::generate::stress::icosphere;
-/// let sphere = icosphere(3, 100.0, glam::Vec3::splat(1e3))?;
+/// use stackless_bvh::{generate::stress::icosphere, glam::Vec3};
+/// let sphere = icosphere(3, 100.0, Vec3::splat(1e3))?;
 /// assert_eq!((sphere.triangles().len(), sphere.vertices().len()), (1280, 642));
 /// # Ok::<(), stackless_bvh::geom::MeshError>(())
 /// ```

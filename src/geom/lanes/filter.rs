@@ -10,7 +10,7 @@ use crate::geom::{Ray, Region, Triangle};
 /// `[LANES-4]`
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::internals::geom::kernel::Filter;
 /// use stackless_bvh::internals::geom::lanes::TriangleFilter;
 /// use stackless_bvh::geom::{Ray, Region, Triangle};

@@ -88,7 +88,7 @@ impl<'a> LazyExact<'a> {
     ///
     /// ```
     /// use fearless_simd::{Level, Simd, dispatch};
-    /// use glam::Vec3;
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::internals::geom::lanes::{Block, LazyExact, Nearest, TriangleRay};
     /// use stackless_bvh::geom::{Ray, Region, Triangle};
     ///

@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use fearless_simd::{Level, Simd, dispatch, f32x8};
-//! use glam::Vec3;
+//! use stackless_bvh::glam::Vec3;
 //! use stackless_bvh::internals::geom::lanes::BoxRay;
 //! use stackless_bvh::geom::{Aabb, Ray, Region};
 //!

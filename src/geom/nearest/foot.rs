@@ -22,7 +22,7 @@ impl<R: Real> Foot<R> {
     /// A triangle without area has several weights at some points. Then it is one of them.
     ///
     /// ```
-    /// use glam::Vec3;
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::internals::geom::truth::Place;
     /// use stackless_bvh::geom::Triangle;
     /// use stackless_bvh::internals::geom::Foot;

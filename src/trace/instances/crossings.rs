@@ -13,9 +13,9 @@ impl<V: Vector> InstanceTracer<V> {
     /// contain its origin, unless the origin is on one of them.
     ///
     /// ```
-    /// use glam::DVec3;
     /// use stackless_bvh::bvh::{BuildOptions, Bvh};
     /// use stackless_bvh::geom::{AffineMap, Mesh, Ray};
+    /// use stackless_bvh::glam::DVec3;
     /// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
     /// use stackless_bvh::traverse::Method;
     ///

@@ -65,9 +65,9 @@ impl<V: Vector> InstanceTracer<V> {
     /// one, in the order of [`all`](RayQueries::all). Queries without a filter do not become slower. `[FILTER-1]`
     ///
     /// ```
-    /// use glam::Vec3;
     /// use stackless_bvh::bvh::{BuildOptions, Bvh};
     /// use stackless_bvh::geom::{AffineMap, Mesh, Ray};
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::trace::{Assembly, Instance, InstanceFilter, InstanceTracer, RayQueries};
     /// use stackless_bvh::traverse::Method;
     ///

@@ -35,9 +35,9 @@ impl<V: Vector> InstanceTracer<V> {
     /// Bounds in double precision exclude most triangles, and rational arithmetic decides the rest.
     ///
     /// ```
-    /// use glam::DVec3;
     /// use stackless_bvh::bvh::{BuildOptions, Bvh};
     /// use stackless_bvh::geom::{AffineMap, Ball, Mesh};
+    /// use stackless_bvh::glam::DVec3;
     /// use stackless_bvh::trace::{Assembly, Instance, InstanceTracer};
     /// use stackless_bvh::traverse::Method;
     ///

@@ -37,7 +37,7 @@ use crate::geom::{Ray, Region, Triangle};
 /// magnitude. Beyond that range, exact sums decide each triangle whose box is met, in about a microsecond.
 ///
 /// ```
-/// use glam::DVec3;
+/// use stackless_bvh::glam::DVec3;
 /// use stackless_bvh::internals::geom::kernel::{Exact64, Kernel};
 /// use stackless_bvh::geom::{Ray, Region, Triangle};
 ///

@@ -39,7 +39,7 @@ impl<T> Certainty<T> {
 /// `[INST-5]`
 ///
 /// ```
-/// use glam::Vec3;
+/// use stackless_bvh::glam::Vec3;
 /// use stackless_bvh::internals::geom::kernel::{Certainty, EnclosedTest};
 /// use stackless_bvh::geom::{AffineMap, Ray, Region, Triangle};
 /// use stackless_bvh::internals::geom::EnclosedRay;

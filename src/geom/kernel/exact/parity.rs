@@ -67,7 +67,7 @@ impl Exact {
     /// origin an odd number of times, as it does around a point inside; unless the origin is on the mesh.
     ///
     /// ```
-    /// use glam::Vec3;
+    /// use stackless_bvh::glam::Vec3;
     /// use stackless_bvh::internals::geom::kernel::{Exact, Kernel};
     /// use stackless_bvh::geom::{Aabb, Ray, Region, Triangle};
     ///

@@ -210,7 +210,7 @@ fn from_afar_no_box_that_is_touched_is_left_out() {
     assert!(touched > 1000, "{touched}");
 }
 
-/// No ray that touches a box passes by it, from near or from afar. [BOX-9]
+/// No ray that touches a box passes by it, whether it starts nearby or far away. [BOX-9]
 #[test]
 fn what_is_touched_is_not_passed_by() {
     let (mut draw, mut touched, mut passed) = (Draw::new(5), 0, 0);
