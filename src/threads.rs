@@ -98,7 +98,9 @@ pub(crate) fn map_into<A: Send>(
 ) {
     #[cfg(feature = "parallel")]
     if range.len() > least {
-        range.into_par_iter().with_min_len(least).map_init(floats::probe, |(), i| f(i)).collect_into_vec(all);
+        // Without an upper limit a thread takes a quarter of all at once, and the other threads wait for it at the end.
+        let pieces = range.into_par_iter().with_min_len(least).with_max_len(least.max(1));
+        pieces.map_init(floats::probe, |(), i| f(i)).collect_into_vec(all);
         return;
     }
     all.extend(range.map(f));

@@ -21,8 +21,8 @@ pub(crate) const PIECE: usize = 1 << 16;
 const ROW_BYTES: usize = 1 << 10;
 
 /// Reads rows with the interpreter's lock, answers them without the lock, and keeps the answers with the lock, piece by
-/// piece. This thread answers pieces of up to `few` rows; all threads answer longer pieces, while this thread reads the
-/// next piece. After each piece it calls `progress(done, count)`, which may fork, so each piece gets its threads again.
+/// piece. This thread answers pieces of up to `few` rows; all threads answer longer pieces, and without `progress` this thread
+/// reads the next piece meanwhile. After each piece it calls `progress(done, count)`, which may fork, so each piece gets its threads again.
 ///
 /// # Errors
 /// Errors of the three functions, of `progress`, and of signals: `KeyboardInterrupt`.
@@ -42,7 +42,8 @@ pub(crate) fn in_pieces<I: Send, A: Send>(
         let threads = if rows.len() <= few { Threads::one() } else { Threads::all(py)? };
         memory::check((rows.len() + next.len()) * ROW_BYTES)?;
         let input = ahead.take().unwrap_or_else(|| read(&threads, rows))?;
-        let read_next = || (!next.is_empty()).then(|| read(&Threads::one(), next));
+        // Not ahead of `progress`, which may change the rows.
+        let read_next = || (!next.is_empty() && progress.is_none()).then(|| read(&Threads::one(), next));
         let answers;
         (answers, ahead) = threads.run_beside(py, || answer(input), read_next);
         keep(&threads, answers?)?;

@@ -284,7 +284,12 @@ impl<T: Copy> Out<'_, T> {
             None
         };
         let mut pieces = 0..this.count().div_ceil(PIECE);
-        let fault = if is_parallel { pieces.into_par_iter().find_map_first(piece) } else { pieces.find_map(piece) };
+        let fault = if is_parallel {
+            // A thread takes one piece at a time, so no other thread waits long at the end.
+            pieces.into_par_iter().with_max_len(1).find_map_first(piece)
+        } else {
+            pieces.find_map(piece)
+        };
         fault.map_or(Ok(()), Err)
     }
 
