@@ -3,7 +3,8 @@
 
 usage: peers.py STACKLESS PYTHON LIBSTACKLESS > PEERS.md
 
-STACKLESS is the command, built with `cargo build --release --features peers`; PYTHON one that has embreex and open3d.
+STACKLESS is the command, built with `cargo build --release --features peers`; it loads the Embree that EMBREE_LIBRARY
+names, the library in the package embreex. PYTHON has embreex and open3d.
 LIBSTACKLESS is the adapter crates/capi/tests/conform.cpp, compiled.
 """
 
@@ -39,10 +40,10 @@ TEXT = """\
 # Results of ray tracers on the level `ray`
 
 [peers.py](peers.py) writes this page. The rows `exact`, `precise`, `watertight` and `fast` are this library, with different triangle tests.
-`libstackless` is its C interface, by [conform.cpp](../../crates/capi/tests/conform.cpp). The other tracers do not
-promise exact answers. The [record of benchmarks](../../benches/records/2026-11-21-trees.md) lists their versions. Embree is
-the package of Debian, with assertions. embreex 4.4.0 and Open3D 0.20.0 are the wheels of PyPI, which contain Embree;
-[adapters/tracers.py](adapters/tracers.py) runs them.
+`libstackless` is its C interface, by [conform.cpp](../../crates/capi/tests/conform.cpp). The other tracers do not promise exact answers.
+`embree` is Embree 4.4.0, asked through its C interface. `embreex` 4.4.0 and `open3d` 0.20.0 are packages of PyPI that contain Embree;
+[adapters/tracers.py](adapters/tracers.py) asks them. `bvh`, `parry3d` and `obvhs` are crates, with the versions of
+[Cargo.lock](../../Cargo.lock).
 
 | word | meaning |
 |---|---|

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Writes spec/suite/peers.html anew: the dashboard of this library, the adapters, and ray tracers by others.
-# usage: peers.sh STACKLESS PYTHON; STACKLESS is built with `--features peers`, PYTHON has embreex and open3d.
+# usage: EMBREE_LIBRARY=FILE peers.sh STACKLESS PYTHON LIBSTACKLESS, as of spec/suite/peers.py
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-stackless=$1 python=$2
+stackless=$1 python=$2 libstackless=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 reports=()
@@ -20,6 +20,7 @@ ask library "$stackless" suite serve
 for accuracy in precise watertight fast; do
     ask "$accuracy" "$stackless" suite serve --accuracy "$accuracy"
 done
+ask libstackless "$libstackless"
 ask c "$folder/traverse"
 ask python python3 spec/suite/adapters/traverse.py
 for peer in embree-robust embree bvh parry3d obvhs-bvh2 obvhs-cwbvh; do
