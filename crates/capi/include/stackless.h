@@ -531,7 +531,8 @@ stackless_error stackless_locate_n_d(const stackless_scene_d *scene,
                                      uint32_t flags);
 
 // Computes the distance of each point, given by three numbers, from the mesh. It is exact, then rounded once, and
-// negative inside by a rule `STACKLESS_RULE_...`.
+// negative inside by a rule `STACKLESS_RULE_...`. It is also 0 on faces without area, which are no surface to
+// `stackless_locate_n_d`.
 stackless_error stackless_signed_distances_n_d(const stackless_scene_d *scene,
                                                const double *points,
                                                size_t point_stride,
@@ -857,7 +858,8 @@ stackless_error stackless_locate_n_f(const stackless_scene_f *scene,
                                      uint32_t flags);
 
 // Computes the distance of each point, given by three numbers, from the mesh. It is exact, then rounded once, and
-// negative inside by a rule `STACKLESS_RULE_...`.
+// negative inside by a rule `STACKLESS_RULE_...`. It is also 0 on faces without area, which are no surface to
+// `stackless_locate_n_f`.
 stackless_error stackless_signed_distances_n_f(const stackless_scene_f *scene,
                                                const float *points,
                                                size_t point_stride,

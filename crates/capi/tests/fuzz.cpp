@@ -121,6 +121,8 @@ bool succeeds(stackless_error code, bool is_valid, int line)
 
 template <class T, stackless_error (*Free)(T*)> struct owned {
     T* it = nullptr;
+    // Of a scene: the faces that certainly have an area.
+    std::vector<bool> has_area = std::vector<bool>(12);
     owned() = default;
     owned(const owned&) = delete;
     ~owned() { CHECK(Free(it) == STACKLESS_ERROR_NONE); }
@@ -131,7 +133,7 @@ using instances = owned<instances_t, CALL(instances_free)>;
 
 const hit_t miss = {(real)INFINITY, (real)NAN, (real)NAN, STACKLESS_NO_FACE};
 
-template <class H> bool are_same(const H& a, const H& b)
+bool are_same(const hit_t& a, const hit_t& b)
 {
     return memcmp(&a.t, &b.t, sizeof a.t) == 0 && memcmp(&a.u, &b.u, sizeof a.u) == 0
            && memcmp(&a.v, &b.v, sizeof a.v) == 0 && a.face == b.face;
@@ -162,6 +164,20 @@ hit_t closest(const scene_t* scene, const ray_t& ray, const filter_t* filter = n
     return hit;
 }
 
+// Whether a face certainly has an area: for coordinates of `number` that are not special this is exact.
+bool has_area(const triple& a, const triple& b, const triple& c)
+{
+    const auto is_usual = [](real x) { return x == 0 || (std::abs(x) >= real{0.5} && std::abs(x) <= 2); };
+    bool is_any = false;
+    for (int i = 0, j = 1, k = 2; i < 3; j = k, k = i++) {
+        if (!is_usual(a[i]) || !is_usual(b[i]) || !is_usual(c[i])) {
+            return false;
+        }
+        is_any |= (b[i] - a[i]) * (c[j] - a[j]) != (b[j] - a[j]) * (c[i] - a[i]);
+    }
+    return is_any;
+}
+
 // Builds a scene, or moves its vertices.
 bool build(bytes& from, owned_scene& scene, bool is_refit)
 {
@@ -186,6 +202,7 @@ bool build(bytes& from, owned_scene& scene, bool is_refit)
     if (is_refit) {
         size_t expected;
         OK(CALL(scene_counts)(scene.it, &expected, nullptr));
+        scene.has_area.assign(12, false);
         return SUCCEEDS(CALL(scene_refit)(scene.it, vertices.pointer<real>(), vertices.stride, vertex_count),
                         valid && vertex_count == expected);
     }
@@ -197,6 +214,10 @@ bool build(bytes& from, owned_scene& scene, bool is_refit)
                                                    faces.pointer<uint32_t>(), faces.stride, face_count,
                                                    &options, &scene.it), valid);
     CHECK((scene.it != nullptr) == is_built);
+    for (size_t i = 0; i < face_count && is_built; i++) {
+        const auto [a, b, c] = faces.get(i);
+        scene.has_area[i] = has_area(vertices.get(a), vertices.get(b), vertices.get(c));
+    }
     return is_built;
 }
 
@@ -275,8 +296,9 @@ void rays(bytes& from, const scene_t* scene)
     }
 }
 
-void points(bytes& from, const scene_t* scene)
+void points(bytes& from, const owned_scene& owner)
 {
+    const scene_t* scene = owner.it;
     const size_t count = up_to(from, 4);
     array<triple> points(from, count, alignof(real));
     array<near_t> nears(from, count);
@@ -318,8 +340,17 @@ void points(bytes& from, const scene_t* scene)
     for (size_t i = 0; i < count && located == STACKLESS_ERROR_NONE && signs == STACKLESS_ERROR_NONE; i++) {
         const real distance = distances.get(i);
         const int location = locations.get(i);
-        CHECK(location != STACKLESS_SURFACE || distance == 0);
-        CHECK(std::signbit(distance) == (location == STACKLESS_INSIDE));
+        if (distance != 0) {
+            CHECK(location == (distance < 0 ? STACKLESS_INSIDE : STACKLESS_OUTSIDE));
+            continue;
+        }
+        // The point is on the surface, unless all faces there are without area.
+        const triple place = points.get(i);
+        near_t there[12];
+        size_t faces = 0;
+        OK(CALL(nearest_k1)(scene, place.data(), 0, there, sizeof there[0], 12, &faces));
+        const auto has_area = [&](const near_t& near) { return owner.has_area[near.face]; };
+        CHECK(location == STACKLESS_SURFACE || std::none_of(there, there + faces, has_area));
     }
 }
 
@@ -403,7 +434,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size)
     for (int calls = 0; calls < 6 && from.remaining_bytes() > 0; calls++) {
         switch (up_to(from, 4)) {
         case 0: rays(from, scene.it); break;
-        case 1: points(from, scene.it); break;
+        case 1: points(from, scene); break;
         case 2: exact(from, scene.it); break;
         case 3: saved(from, scene.it); break;
         case 4: build(from, scene, true); break;

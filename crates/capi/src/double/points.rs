@@ -31,7 +31,8 @@ pub unsafe extern "C" fn stackless_locate_n_d(
 }
 
 /// Computes the distance of each point, given by three numbers, from the mesh. It is exact, then rounded once, and
-/// negative inside by a rule `STACKLESS_RULE_...`.
+/// negative inside by a rule `STACKLESS_RULE_...`. It is also 0 on faces without area, which are no surface to
+/// `stackless_locate_n_d`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stackless_signed_distances_n_d(
     scene: *const Scene<DVec3>,
