@@ -81,12 +81,11 @@ fn double() -> Users {
     let third = |point: Vec3| point.as_dvec3() / 3.0;
     let vertices = mesh.vertices().iter().copied().map(third).collect();
     let smaller = Mesh::new(vertices, mesh.triangles().to_vec()).expect("finite vertices");
-    let Users::Single(_, rays) = single() else { unreachable!("it is single") };
     let ray = |ray: &Ray| {
         let [tmin, tmax] = [ray.tmin(), ray.tmax()].map(f64::from);
         Ray::within(third(ray.origin()), ray.direction().as_dvec3(), tmin, tmax).expect("a ray")
     };
-    Users::Double(Tracer::of(&smaller).expect("a tree"), rays.iter().map(ray).collect())
+    Users::Double(Tracer::of(&smaller).expect("a tree"), scene(Method::Stack).1.rays.iter().map(ray).collect())
 }
 
 #[library_benchmark]

@@ -36,14 +36,13 @@ fi
 # README.md and the built example must be equal.
 compare <(sed -n '/^```c$/,/^```$/{//!p}' README.md) examples/minimal.c
 
-version=$(sed -n 's/^version = "\(.*\)"$/\1/p' ../../Cargo.toml | head -1)
-grep -q "PACKAGE_VERSION $version)" cmake/stackless-config-version.cmake
-grep -q "\"${version%.*}\"" cmake/stackless-config-version.cmake
-
 ./install.sh "$made/installed"
 installed=$made/installed
 export PKG_CONFIG_PATH=$installed/lib/pkgconfig LD_LIBRARY_PATH=$installed/lib
 read -ra shared <<< "$(pkg-config --cflags --libs stackless)"
+version=$(pkg-config --modversion stackless)
+grep -q "PACKAGE_VERSION $version)" cmake/stackless-config-version.cmake
+grep -q "\"${version%.*}\"" cmake/stackless-config-version.cmake
 static=(-I "$installed/include" "$installed/lib/libstackless.a" -lpthread -ldl -lm)
 sanitize=(-g -fsanitize=address,undefined -fno-sanitize-recover=all)
 # The threads of the library end with the program, so their memory is not freed.
@@ -90,7 +89,8 @@ done
 
 # Arguments drawn from bytes.
 for precision in -DDOUBLE -DSINGLE; do
-    clang++ "${warnings[@]}" -std=c++17 "${sanitize[@]}" -fsanitize=fuzzer "$precision" tests/fuzz.cpp "${static[@]}" -o "$made/fuzz"
+    build=(clang++ "${warnings[@]}" -std=c++17 "${sanitize[@]}" -fsanitize=fuzzer "$precision" tests/fuzz.cpp)
+    "${build[@]}" -o "$made/fuzz" "${static[@]}"
     (cd "$made" && ./fuzz -runs=2000 -max_len=512 -seed=1 2> fuzz.log) || { cat "$made/fuzz.log"; exit 1; }
 done
 

@@ -21,8 +21,9 @@ pub(crate) const PIECE: usize = 1 << 16;
 const ROW_BYTES: usize = 1 << 10;
 
 /// Reads rows with the interpreter's lock, answers them without the lock, and keeps the answers with the lock, piece by
-/// piece. This thread answers pieces of up to `few` rows; all threads answer longer pieces, and without `progress` this thread
-/// reads the next piece meanwhile. After each piece it calls `progress(done, count)`, which may fork, so each piece gets its threads again.
+/// piece. This thread answers pieces of up to `few` rows; all threads answer longer pieces. Without `progress`, this
+/// thread reads the next piece meanwhile. After each piece it calls `progress(done, count)`, which may fork, so each
+/// piece gets its threads again.
 ///
 /// # Errors
 /// Errors of the three functions, of `progress`, and of signals: `KeyboardInterrupt`.

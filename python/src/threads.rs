@@ -57,7 +57,8 @@ impl Threads {
         }
     }
 
-    /// Runs work on these threads without the interpreter's lock, and meanwhile other work on this thread with the lock.
+    /// Runs work on these threads without the interpreter's lock, and meanwhile other work on this thread with the
+    /// lock.
     pub(crate) fn run_beside<A: Send, B>(
         &self,
         py: Python<'_>,

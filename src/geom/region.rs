@@ -142,7 +142,7 @@ impl Region {
         !is_near && self.is_missed_by(self.frame.rounded(ray.origin().as_dvec3()), ray.direction().as_dvec3())
     }
 
-    /// The same for a ray in double precision.
+    /// Returns whether a distant ray in double precision certainly misses the box. `[BOX-9]`
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray<DVec3>) -> bool {
         // Coordinates and comparison are also those of the preparation.
