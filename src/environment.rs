@@ -29,7 +29,7 @@ pub enum EnvironmentError {
 ///
 /// # Errors
 /// [`EnvironmentError`].
-#[inline]
+#[inline(never)]
 pub fn check_environment() -> Result<(), EnvironmentError> {
     // A quarter and three quarters of a unit in the last place of 1: only rounding to nearest takes one down and the
     // other up. The sum of two subnormal numbers is subnormal too. Multiplications would take longer.

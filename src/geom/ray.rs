@@ -78,9 +78,10 @@ impl<V: Vector> Ray<V> {
     ///
     /// # Errors
     /// [`RayError`].
+    #[inline]
     pub fn within(origin: V, direction: V, tmin: V::Real, tmax: V::Real) -> Result<Self, RayError> {
-        check_environment()?;
-        Self { origin, direction, tmin, tmax }.checked()
+        let ray = Self { origin, direction, tmin, tmax };
+        if check_environment().is_ok() && ray.is_valid() { Ok(ray) } else { Err(ray.fault()) }
     }
 
     /// Creates many rays, each from origin, direction, `tmin` and `tmax`. This takes less time than [`Self::within`],
@@ -104,34 +105,48 @@ impl<V: Vector> Ray<V> {
         // `collect` of results has no room at first.
         let mut all = Vec::with_capacity(rays.size_hint().0);
         for (origin, direction, tmin, tmax) in rays {
-            all.push(Self { origin, direction, tmin, tmax }.checked().map_err(|error| (all.len(), error))?);
+            let ray = Self { origin, direction, tmin, tmax };
+            if !ray.is_valid() {
+                return Err((all.len(), ray.fault()));
+            }
+            all.push(ray);
         }
         Ok(all)
     }
 
+    /// Returns whether the ray is valid, by one branch.
     #[inline(always)]
-    fn checked(self) -> Result<Self, RayError> {
-        let Self { origin, direction, tmin, tmax } = self;
-        let (near, far): (f64, f64) = (tmin.into(), tmax.into());
+    fn is_valid(&self) -> bool {
+        let Self { origin, direction, tmin, tmax } = *self;
+        origin.is_finite()
+            & direction.is_finite()
+            & (direction.widen() != DVec3::ZERO)
+            & (tmin >= V::Real::default())
+            & (tmin < V::Real::INFINITY)
+            & (tmin <= tmax)
+    }
+
+    /// Returns what is wrong with the thread or with the invalid ray. Apart, so that valid rays stay in registers.
+    #[cold]
+    fn fault(self) -> RayError {
+        let Self { origin, direction, .. } = self;
+        let [tmin, tmax]: [f64; 2] = [self.tmin.into(), self.tmax.into()];
+        if let Err(error) = check_environment() {
+            return error.into();
+        }
         if !origin.is_finite() {
-            return Err(RayError::Origin(origin.widen()));
+            RayError::Origin(origin.widen())
+        } else if !direction.is_finite() {
+            RayError::Direction(direction.widen())
+        } else if direction.widen() == DVec3::ZERO {
+            RayError::ZeroDirection
+        } else if !tmin.is_finite() || tmax.is_nan() {
+            RayError::Interval { tmin, tmax }
+        } else if tmin < 0.0 {
+            RayError::NegativeTmin(tmin)
+        } else {
+            RayError::EmptyInterval { tmin, tmax }
         }
-        if !direction.is_finite() {
-            return Err(RayError::Direction(direction.widen()));
-        }
-        if direction.widen() == DVec3::ZERO {
-            return Err(RayError::ZeroDirection);
-        }
-        if !near.is_finite() || far.is_nan() {
-            return Err(RayError::Interval { tmin: near, tmax: far });
-        }
-        if near < 0.0 {
-            return Err(RayError::NegativeTmin(near));
-        }
-        if near > far {
-            return Err(RayError::EmptyInterval { tmin: near, tmax: far });
-        }
-        Ok(self)
     }
 
     /// Returns the point at `t` = 0.

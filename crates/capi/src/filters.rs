@@ -61,13 +61,17 @@ impl<Y: Copy, S: Copy, H: Copy> Filters<'_, Y, S, H> {
     }
 
     /// The filter of the ray with this index.
+    #[inline(always)]
     pub(crate) fn get(&self, index: usize, rays: &In<'_, Y>) -> Result<Option<OneFilter<Y, S, H>>, Fault> {
-        let Some(filters) = &self.0 else { return Ok(None) };
+        self.0.as_ref().map(|filters| Self::one(filters, index, rays)).transpose()
+    }
+
+    fn one(filters: &In<'_, Filter<Y, S, H>>, index: usize, rays: &In<'_, Y>) -> Result<OneFilter<Y, S, H>, Fault> {
         let Filter { mask, skip, accepts, user } = filters.get(index);
         // SAFETY: `new` requires that the pointer is null, misaligned, or points to a value.
         let skip = if skip.is_null() { None } else { Some(*unsafe { shared(skip, "filter.skip") }?) };
         let ray = rays.pointer(index);
-        Ok(Some(OneFilter { mask, skip, call: accepts.map(|accepts| Call { accepts, user, ray }) }))
+        Ok(OneFilter { mask, skip, call: accepts.map(|accepts| Call { accepts, user, ray }) })
     }
 }
 

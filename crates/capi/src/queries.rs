@@ -26,27 +26,30 @@ pub(crate) type Real<V> = <V as stackless_bvh::geom::Vector>::Real;
 pub(crate) type Rays<'a, V> = In<'a, Ray<Real<V>>>;
 
 impl<V: Precision> Scene<V> {
+    #[inline(always)]
     pub(crate) fn closest1(
         &self,
         rays: &Rays<'_, V>,
         filters: &SceneFilters<'_, Real<V>>,
         index: usize,
     ) -> Result<Hit<Real<V>>, Fault> {
-        let (ray, filter) = (checked::<V>(rays, index)?, filters.get(index, rays)?);
-        Ok(hit::<V>(match filter {
-            None => self.tracer().closest(&ray),
-            Some(filter) => filter.ask(self.masks(), |filter| self.tracer().filtered(filter).closest(&ray)),
-        }))
+        let ray = checked::<V>(rays, index)?;
+        // Converted in each branch: one place for both would copy the answer.
+        Ok(match filters.get(index, rays)? {
+            None => hit::<V>(self.tracer().closest(&ray)),
+            Some(filter) => hit::<V>(filter.ask(self.masks(), |filter| self.tracer().filtered(filter).closest(&ray))),
+        })
     }
 
+    #[inline(always)]
     pub(crate) fn any1(
         &self,
         rays: &Rays<'_, V>,
         filters: &SceneFilters<'_, Real<V>>,
         index: usize,
     ) -> Result<bool, Fault> {
-        let (ray, filter) = (checked::<V>(rays, index)?, filters.get(index, rays)?);
-        Ok(match filter {
+        let ray = checked::<V>(rays, index)?;
+        Ok(match filters.get(index, rays)? {
             None => self.tracer().any(&ray),
             Some(filter) => filter.ask(self.masks(), |filter| self.tracer().filtered(filter).any(&ray)),
         })
@@ -230,16 +233,19 @@ fn all_checked<V: Precision>(rays: &Rays<'_, V>, range: Range<usize>) -> Result<
     CheckedRay::collect(range.map(ray)).map_err(|(i, error)| Fault::of_ray(error, rays.element(first + i)))
 }
 
+#[inline(always)]
 pub(crate) fn checked<V: Precision>(rays: &Rays<'_, V>, index: usize) -> Result<CheckedRay<V>, Fault> {
     let Ray { origin, tmin, direction, tmax } = rays.get(index);
     let ray = CheckedRay::within(V::from_components(origin), V::from_components(direction), tmin, tmax);
     ray.map_err(|error| Fault::of_ray(error, rays.element(index)))
 }
 
+#[inline(always)]
 pub(crate) fn hit<V: Precision>(found: Option<Found<Real<V>>>) -> Hit<Real<V>> {
     let nan = V::Real::rounded(f64::NAN);
     let miss = Hit { t: V::Real::INFINITY, u: nan, v: nan, face: STACKLESS_NO_FACE };
-    found.map_or(miss, |Found { prim, t, u, v }| Hit { t, u, v, face: prim })
+    // By reference: a copy of the whole would wait for stores of its parts.
+    found.as_ref().map_or(miss, |&Found { prim, t, u, v }| Hit { t, u, v, face: prim })
 }
 
 fn near<V: Precision>(found: Option<FoundNear<V>>) -> Near<Real<V>> {
