@@ -19,7 +19,7 @@ pub(crate) use exact::order_of_lines;
 pub use exact::{
     Accumulator, Certainty, EnclosedTest, Exact, Exact64, ExactFromSingle, MAX_COORDINATE, MIN_EDGE, Parity,
 };
-pub(super) use exact::{Corrected, ExactOnce, FineDeterminants, USUAL, is_degenerate, two_product, two_sum};
+pub(super) use exact::{Corrected, ExactOnce, FineDeterminants, Met, USUAL, is_degenerate, two_product, two_sum};
 #[cfg(any(test, feature = "internals"))]
 pub use moller::{Moller32, Moller64};
 #[cfg(any(test, feature = "internals"))]

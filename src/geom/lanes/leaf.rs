@@ -4,7 +4,7 @@ use fearless_simd::Simd;
 use glam::Vec3;
 
 use super::{Block, Hits, Precision, TriangleRay};
-use crate::geom::kernel::{Exact, ExactOnce};
+use crate::geom::kernel::{Exact, ExactOnce, Met};
 use crate::geom::{Kernel, Ray, Region, Triangle};
 
 /// The nearest hit so far: the least exact distance, and of equal distances the least index. `[EXACT-1]`
@@ -44,13 +44,15 @@ pub struct LazyExact<'a> {
     exact: Option<ExactOnce>,
     /// The block and the lane of the hit so far.
     found: Option<(&'a Block, usize)>,
+    /// The nearest hit so far.
+    met: Option<Met>,
 }
 
 impl<'a> LazyExact<'a> {
     /// Creates the test for this ray. `region` must contain all triangles of the tests.
     #[inline(always)]
     pub const fn new(ray: &'a Ray, region: &'a Region) -> Self {
-        Self { ray, region, exact: None, found: None }
+        Self { ray, region, exact: None, found: None, met: None }
     }
 
     /// Returns the ray.
@@ -149,11 +151,13 @@ impl<'a> LazyExact<'a> {
     fn settle(&mut self, block: &'a Block, lanes: u32, mut nearest: Nearest) -> Nearest {
         for lane in LaneSet(lanes) {
             let shape = block.triangle(lane);
-            let Some(t) = self.once().distance(&shape, nearest.t) else { continue };
+            let Some(met) = self.once().distance(&shape, nearest.t) else { continue };
+            let t = met.t;
             let prim = block.prims[lane];
             if t < nearest.t || t == nearest.t && prim != nearest.prim && self.comes_first(&shape, prim) {
                 nearest = Nearest { t, prim };
                 self.found = Some((block, lane));
+                self.met = Some(met);
             }
         }
         nearest
@@ -239,11 +243,11 @@ impl<'a> Hits<'a, Vec3> for LazyExact<'a> {
     }
 
     #[inline(never)]
-    fn whole<S: Simd, const ANY: bool>(&mut self, _: S, nearest: Nearest) -> Option<(f32, [f32; 2])> {
-        let shape = self.found()?;
-        let exact = self.get();
-        let t = if ANY { exact.distance(&shape, f32::INFINITY)? } else { nearest.t };
-        Some((t, exact.weights(&shape)))
+    fn whole<S: Simd, const ANY: bool>(&mut self, _: S, _: Nearest) -> Option<(f32, [f32; 2])> {
+        let (shape, met) = (self.found()?, self.met);
+        let exact = self.once();
+        let met = met.or_else(|| exact.distance(&shape, f32::INFINITY))?;
+        Some((met.t, exact.weights(&met, &shape)))
     }
 }
 

@@ -98,6 +98,7 @@ impl Determinants {
     }
 
     /// Returns bounds of the weights of the second and of the third corner, for such a line.
+    #[inline(always)]
     pub(super) fn weights(&self, errors: &Errors) -> [[f64; 2]; 2] {
         let [u, v, _] = self.edges;
         [u, v].map(|edge| self.over_determinant(edge, errors.sign * QUOTIENT_FACTOR, errors))

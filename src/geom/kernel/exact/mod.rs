@@ -78,7 +78,7 @@ impl Kernel for Exact {
 
     #[inline(always)]
     fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
-        self.distance_or(shape, limit, || self.settle(shape, None))
+        self.distance_or(shape, limit, || self.settle(shape, None)).map(|met| met.t)
     }
 
     #[inline(always)]
@@ -100,13 +100,8 @@ impl Kernel for Exact {
         let corners = shape.widen();
         let found = Determinants::of(&corners, self.origin, self.direction);
         let errors = Errors::of_triangle(&corners, self.origin, self.direction);
-        if found.is_hit(&errors) {
-            let [[u, u_end], [v, v_end]] = found.weights(&errors).map(|ends| ends.map(|x| x as f32));
-            if u == u_end && v == v_end {
-                return [u, v];
-            }
-        }
-        self.settle_weights(&corners)
+        let certain = if found.is_hit(&errors) { certain_weights(&found, &errors) } else { None };
+        certain.unwrap_or_else(|| self.settle_weights(&corners))
     }
 
     fn compare(&self, shape: &Triangle, other: &Triangle) -> Ordering {
@@ -142,6 +137,15 @@ pub(in crate::geom) struct ExactOnce {
     last: Cell<Last>,
 }
 
+/// A hit of a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::geom) struct Met {
+    /// Its distance.
+    pub(in crate::geom) t: f32,
+    /// Its determinants, if the first stage has found it.
+    by: Option<Determinants>,
+}
+
 /// The result of the last stages for a triangle: its distance.
 type Last = Once<Triangle, Option<f32>>;
 
@@ -152,8 +156,16 @@ impl ExactOnce {
     }
 
     #[inline(always)]
-    pub(in crate::geom) fn distance(&self, shape: &Triangle, limit: f32) -> Option<f32> {
+    pub(in crate::geom) fn distance(&self, shape: &Triangle, limit: f32) -> Option<Met> {
         self.exact.distance_or(shape, limit, || self.settle(shape))
+    }
+
+    /// Returns the [`weights`](Kernel::weights) of a hit. In the usual case its determinants give them without being
+    /// computed again.
+    #[inline(always)]
+    pub(in crate::geom) fn weights(&self, met: &Met, shape: &Triangle) -> [f32; 2] {
+        let certain = met.by.and_then(|found| certain_weights(&found, &self.exact.errors));
+        certain.unwrap_or_else(|| self.exact.weights(shape))
     }
 
     #[inline(never)]
@@ -163,10 +175,10 @@ impl ExactOnce {
 }
 
 impl Exact {
-    /// Returns the [`distance`](Kernel::distance), if the first stage finds it; `rest` decides the cases that it leaves
-    /// open.
+    /// Finds the hit of a triangle at the [`distance`](Kernel::distance); `rest` decides the cases that the first stage
+    /// leaves open.
     #[inline(always)]
-    fn distance_or(&self, shape: &Triangle, limit: f32, rest: impl FnOnce() -> Option<f32>) -> Option<f32> {
+    fn distance_or(&self, shape: &Triangle, limit: f32, rest: impl FnOnce() -> Option<f32>) -> Option<Met> {
         let ([tmin, _], found) = (self.interval, Determinants::of(&shape.widen(), self.origin, self.direction));
         if found.is_miss(&self.errors) {
             return None;
@@ -174,13 +186,13 @@ impl Exact {
         if found.is_hit(&self.errors) {
             let [near, far] = found.distance(&self.errors).map(|t| t as f32);
             if is_certain([near, far], self.interval) {
-                return Some(near);
+                return Some(Met { t: near, by: Some(found) });
             }
             if far < tmin || limit < near {
                 return None;
             }
         }
-        rest()
+        rest().map(|t| Met { t, by: None })
     }
 
     /// For single precision, twice the digits always have room.
@@ -243,6 +255,13 @@ impl Exact {
 /// Returns whether a line is known to be parallel to a triangle: on a coarse grid from its determinant, for any origin.
 fn is_parallel(found: &Determinants, corners: &[DVec3; 3], d: DVec3) -> bool {
     if Determinants::has_exact_det(corners, d) { found.are_parallel() } else { predicates::is_parallel(corners, d) }
+}
+
+/// Returns the weights of a line that certainly meets the interior, if their bounds round to one float each.
+#[inline(always)]
+fn certain_weights(found: &Determinants, errors: &Errors) -> Option<[f32; 2]> {
+    let [[u, u_end], [v, v_end]] = found.weights(errors).map(|ends| ends.map(|x| x as f32));
+    (u == u_end && v == v_end).then_some([u, v])
 }
 
 /// Returns whether bounds of a distance that are rounded to these floats decide it: it is that float, and within the

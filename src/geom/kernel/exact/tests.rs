@@ -80,7 +80,10 @@ fn of_shapes_that_differ_each_is_asked() {
             let answer = exact.distance(&shape, f32::INFINITY);
             // The shape, its copy, and its copy with the signs of zeros changed.
             let same = Triangle(shape.0.map(|v| Vec3::select(v.cmpeq(Vec3::ZERO), -v, v)));
-            assert_eq!([shape, shape, same].map(|shape| once.distance(&shape, f32::INFINITY)), [answer; 3]);
+            assert_eq!(
+                [shape, shape, same].map(|shape| once.distance(&shape, f32::INFINITY).map(|met| met.t)),
+                [answer; 3]
+            );
             answers.push(answer.is_some());
         }
     }
