@@ -2,8 +2,8 @@
 
 use crate::bvh::wide::leaf_places;
 use crate::bvh::{Bvh, WideBvh};
-use crate::geom::lanes::Precision;
-use crate::geom::{Region, Slabs, Triangle};
+use crate::geom::lanes::{LaneSet, Precision, filled, with_baseline};
+use crate::geom::{Region, Slabs, Triangle, Vector};
 use crate::tree::Node;
 
 /// The shapes in the leaves of a hierarchy. Rare queries need only these and boxes.
@@ -30,6 +30,19 @@ pub(super) trait LeafFilter<H, S, R> {
     /// Calls `show` for the shapes of a leaf, as [`for_each`](LeafPrimitives::for_each), except for some that the ray
     /// does not meet up to `end`.
     fn for_each_left(&self, bvh: &H, leaf: Node, end: R, show: impl FnMut(usize, &S, u32));
+}
+
+/// Leaves for searches around a point.
+pub trait NearTriangles<V: Vector>: LeafPrimitives<Triangle<V>> {
+    /// Calls `show` for the triangles of a leaf, as [`for_each`](LeafPrimitives::for_each), except for some that are
+    /// farther from the point than the limit. `show` returns the limit for the next triangles.
+    fn for_each_near(
+        &self,
+        leaf: Node,
+        point: V,
+        limit: V::Real,
+        show: impl FnMut(usize, &Triangle<V>, u32) -> V::Real,
+    );
 }
 
 impl<B: Slabs, S: Copy, R> LeafFilter<Bvh<S>, S, R> for B {
@@ -68,6 +81,23 @@ impl<S: Copy> LeafPrimitives<S> for Bvh<S> {
     }
 }
 
+impl<V: Vector> NearTriangles<V> for Bvh<Triangle<V>> {
+    #[inline]
+    fn for_each_near(
+        &self,
+        leaf: Node,
+        point: V,
+        mut limit: V::Real,
+        mut show: impl FnMut(usize, &Triangle<V>, u32) -> V::Real,
+    ) {
+        self.for_each(leaf, |place, shape, prim| {
+            if shape.may_be_near(point, limit) {
+                limit = show(place, shape, prim);
+            }
+        });
+    }
+}
+
 /// A place is four times the block's index, plus the lane.
 impl<const A: usize, V: Precision> LeafPrimitives<Triangle<V>> for WideBvh<A, V> {
     fn region(&self) -> &Region {
@@ -90,5 +120,24 @@ impl<const A: usize, V: Precision> LeafPrimitives<Triangle<V>> for WideBvh<A, V>
 
     fn shape(&self, place: usize) -> Triangle<V> {
         self.triangle(place)
+    }
+}
+
+impl<const A: usize, V: Precision> NearTriangles<V> for WideBvh<A, V> {
+    fn for_each_near(
+        &self,
+        leaf: Node,
+        point: V,
+        mut limit: V::Real,
+        mut show: impl FnMut(usize, &Triangle<V>, u32) -> V::Real,
+    ) {
+        let (blocks, count) = self.leaf(leaf);
+        let first = leaf_places(leaf).start;
+        for (i, (block, filled)) in filled(blocks, count).enumerate() {
+            let near = with_baseline!(simd => block.near(simd, point, limit));
+            for lane in LaneSet(near & filled) {
+                limit = show(first + 4 * i + lane, &block.triangle(lane), block.prims[lane]);
+            }
+        }
     }
 }

@@ -61,7 +61,7 @@ pub use instances::{
 };
 #[cfg(any(test, feature = "internals"))]
 pub(crate) use kernel_bvhs::KernelShape;
-pub use leaf_primitives::LeafPrimitives;
+pub use leaf_primitives::{LeafPrimitives, NearTriangles};
 pub use mesh_queries::MeshQueries;
 pub use nearest::{Near, NearestPoint, NearestPoints};
 pub(crate) use next::NextHitQuery;

@@ -6,7 +6,7 @@ pub use several::NearestPoints;
 
 use glam::Vec3;
 
-use super::leaf_primitives::LeafPrimitives;
+use super::leaf_primitives::NearTriangles;
 use super::query::binary_query;
 use crate::bvh::{Bvh, BvhNode};
 use crate::geom::{Aabb, Ball, Measure, Real, Triangle, Vector};
@@ -48,7 +48,7 @@ struct Best {
     open: Option<f64>,
 }
 
-impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
+impl<'a, V: Vector, H: NearTriangles<V>> NearestPoint<'a, H, V> {
     /// Prepares a search.
     pub fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
         Self { around: Around::new(bvh, ball), best: None }
@@ -65,11 +65,12 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoint<'a, H, V> {
     }
 
     pub(super) fn meet(&mut self, leaf: Node) {
-        let bvh = self.around.bvh;
-        bvh.for_each(leaf, |place, shape, prim| {
+        let Around { bvh, measure, limit } = &self.around;
+        bvh.for_each_near(leaf, measure.point(), limit.distance, |place, shape, prim| {
             if let Some(bounds) = self.around.bounds(shape, prim) {
                 self.compare(bounds, shape, Best { prim, place, open: None });
             }
+            self.around.limit.distance
         });
     }
 
@@ -132,7 +133,7 @@ impl<R: Real> Limit<R> {
     }
 }
 
-impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
+impl<'a, V: Vector, H: NearTriangles<V>> Around<'a, H, V> {
     fn new(bvh: &'a H, ball: &Ball<V>) -> Self {
         let measure = Measure::within(bvh.region().frame(), ball.center(), ball.radius());
         Self { bvh, measure, limit: Limit { distance: ball.radius(), prim: u32::MAX } }
@@ -176,13 +177,14 @@ impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> Around<'a, H, V> {
     /// `found` returns the new limit, if there is one.
     fn meet(&mut self, leaf: Node, mut found: impl FnMut(Limit<V::Real>, usize) -> Option<Limit<V::Real>>) {
         let Self { bvh, measure, limit } = self;
-        bvh.for_each(leaf, |place, shape, prim| {
-            if let Some(distance) = measure.distance(shape, limit.end(prim))
+        bvh.for_each_near(leaf, measure.point(), limit.distance, |place, shape, prim| {
+            if let Some(distance) = measure.near_distance(shape, limit.end(prim))
                 && let near = (Limit { distance, prim })
                 && near < *limit
             {
                 *limit = found(near, place).unwrap_or(*limit);
             }
+            limit.distance
         });
     }
 

@@ -1,10 +1,11 @@
 //! Blocks of four triangles.
 
-use fearless_simd::{Simd, SimdBase, f32x4};
+use fearless_simd::{Simd, SimdBase, SimdMask, f32x4};
 use glam::Vec3;
 
 use super::triangles::minus;
 use super::{MIN_EDGE, Precision};
+use crate::geom::frame::power_of_two;
 use crate::geom::{Real as _, Triangle};
 
 /// Up to four triangles, one in each lane: 176 bytes in single precision, 336 in double.
@@ -19,6 +20,12 @@ pub struct Block<V: Precision = Vec3> {
     /// Indices in the mesh; [`NONE`](Block::NONE) in a lane without a triangle.
     pub prims: [u32; 4],
 }
+
+/// Limits below this count as this.
+const LEAST: f64 = power_of_two(-50);
+
+/// Room for the rounding errors of squares.
+const ROOM: f64 = 1.0 + power_of_two(-18);
 
 impl Block {
     /// The index of a lane without a triangle. No mesh has this index.
@@ -52,6 +59,26 @@ impl<V: Precision> Block<V> {
         }
         self.edges[lane & 3] = V::longest(triangle);
         self.prims[lane & 3] = prim;
+    }
+
+    /// Returns the lanes except those with a triangle that is certainly beyond `limit`: the box of its corners is.
+    /// `[NEAR-1]`
+    #[inline(always)]
+    pub(crate) fn near<S: Simd>(&self, simd: S, point: V, limit: V::Real) -> u32 {
+        let all = |x: V::Real| V::Lanes::<S>::splat(simd, x);
+        let point = point.components();
+        let [x, y, z] = [0, 1, 2].map(
+            #[inline(always)]
+            |axis: usize| {
+                let corner = |i: usize| V::Lanes::<S>::load_array_ref(simd, &self.corners[i][axis]);
+                let (a, b, c, p) = (corner(0), corner(1), corner(2), all(point[axis]));
+                (a.min(b).min(c) - p).max(p - a.max(b).max(c)).max(all(V::Real::ZERO))
+            },
+        );
+        // Below `LEAST` squares underflow. If they overflow, no lane is left out.
+        let limit = all(limit).max(all(V::Real::rounded(LEAST)));
+        let most = limit * limit * all(V::Real::rounded(ROOM));
+        ((x * x + y * y) + z * z).simd_le(most).to_bitmask() as u32
     }
 
     #[inline(always)]

@@ -1,9 +1,11 @@
 use fearless_simd::{Level, dispatch};
 
 use super::*;
-use crate::generate::stress;
+use glam::{DVec3, Vec3};
+
+use crate::generate::{Rng, Source as _, stress};
 use crate::geom::kernel::Exact;
-use crate::geom::{Aabb, Kernel, Ray, Region, Triangle};
+use crate::geom::{Aabb, Kernel, Measure, Ray, Real as _, Region, Triangle};
 
 /// Returns all supported levels of this machine, the scalar one first.
 pub(super) fn levels() -> Vec<Level> {
@@ -65,4 +67,50 @@ fn leaves_have_the_nearest_hit() {
             }
         }
     }
+}
+
+/// No triangle at the limit is left out, and half of the limit leaves out many. [NEAR-1]
+fn lanes_at_the_limit_are_near<V: Precision>(exponents: std::ops::Range<i32>) {
+    let mut rng = Rng::new(3);
+    let [mut all, mut left_out] = [0, 0];
+    for round in 0..40_000 {
+        let scale = 2_f64.powi(exponents.start + round % (exponents.end - exponents.start));
+        let mut vector = |size: f64| {
+            let components = [(); 3].map(|()| (rng.below(2001) as f64 / 1000.0 - 1.0) * size);
+            V::from_components(components.map(|x| V::Real::rounded(x * scale)))
+        };
+        let point = vector(1.0);
+        let mut block = Block::<V>::EMPTY;
+        // Half of the triangles are points, which are as far as their boxes.
+        let triangles = [0.0, 0.1, 0.0, 1.0].map(|size| {
+            let first = vector(1.0).widen();
+            let mut corner = || (first + vector(size).widen()).to_array().map(V::Real::rounded);
+            Triangle([corner(), corner(), corner()].map(V::from_components))
+        });
+        triangles.iter().zip(0..).for_each(|(triangle, lane)| block.set(lane, triangle, lane as u32));
+        let measure = Measure::new(point, V::Real::INFINITY);
+        for (lane, triangle) in triangles.iter().enumerate() {
+            let Some(distance) = measure.distance(triangle, V::Real::INFINITY) else { continue };
+            let half = V::Real::rounded(distance.into() * 0.5);
+            for level in levels() {
+                let [at, below] =
+                    [distance, half].map(|limit| dispatch!(level, simd => block.near(simd, point, limit)));
+                assert_eq!(at >> lane & 1, 1, "{level:?} {point:?} {triangle:?} {distance:?}");
+                (all, left_out) = (all + 1, left_out + (below >> lane & 1 ^ 1));
+            }
+        }
+    }
+    println!("{left_out} of {all} left out");
+    // Limits below 2^-50, and those whose squares overflow, leave out none.
+    assert!(left_out > all / 20);
+}
+
+#[test]
+fn lanes_at_the_limit_are_near_in_single_precision() {
+    lanes_at_the_limit_are_near::<Vec3>(-120..120);
+}
+
+#[test]
+fn lanes_at_the_limit_are_near_in_double_precision() {
+    lanes_at_the_limit_are_near::<DVec3>(-1000..1000);
 }

@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::{Around, Limit, Near};
 use crate::bvh::Bvh;
 use crate::geom::{Ball, Real, Triangle, Vector};
-use crate::trace::leaf_primitives::LeafPrimitives;
+use crate::trace::leaf_primitives::NearTriangles;
 use crate::trace::query::binary_query;
 use crate::tree::Node;
 
@@ -25,7 +25,7 @@ pub struct NearestPoints<'a, H = Bvh, V: Vector = Vec3> {
     found: BTreeMap<(u64, u32), usize>,
 }
 
-impl<'a, V: Vector, H: LeafPrimitives<Triangle<V>>> NearestPoints<'a, H, V> {
+impl<'a, V: Vector, H: NearTriangles<V>> NearestPoints<'a, H, V> {
     /// Prepares a search. `k` may be any number.
     pub fn new(bvh: &'a H, ball: &Ball<V>, k: usize) -> Self {
         let mut around = Around::new(bvh, ball);
