@@ -116,6 +116,7 @@ impl<V: Vector> Ray<V> {
 
     /// Returns whether the ray is valid, by one branch.
     #[inline(always)]
+    #[allow(clippy::needless_bitwise_bool, reason = "`&&` would be a branch each")]
     fn is_valid(&self) -> bool {
         let Self { origin, direction, tmin, tmax } = *self;
         origin.is_finite()
