@@ -75,7 +75,7 @@ impl<V: Precision> Block<V> {
                 (a.min(b).min(c) - p).max(p - a.max(b).max(c)).max(all(V::Real::ZERO))
             },
         );
-        // Below `LEAST` squares underflow. If they overflow, no lane is left out.
+        // Below `LEAST` squares underflow. If they overflow, no lane is omitted.
         let limit = all(limit).max(all(V::Real::rounded(LEAST)));
         let most = limit * limit * all(V::Real::rounded(ROOM));
         ((x * x + y * y) + z * z).simd_le(most).to_bitmask() as u32

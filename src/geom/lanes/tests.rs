@@ -69,7 +69,7 @@ fn leaves_have_the_nearest_hit() {
     }
 }
 
-/// No triangle at the limit is left out, and half of the limit leaves out many. [NEAR-1]
+/// No triangle at the limit is omitted, and half of the limit omits many. [NEAR-1]
 fn lanes_at_the_limit_are_near<V: Precision>(exponents: std::ops::Range<i32>) {
     let mut rng = Rng::new(3);
     let [mut all, mut left_out] = [0, 0];
