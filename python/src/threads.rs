@@ -83,7 +83,7 @@ impl Threads {
         f: impl Fn(usize) -> PyResult<A> + Sync,
     ) -> PyResult<Vec<A>> {
         let shared = self.0.as_ref().filter(|_| range.len() > ROWS).and_then(|pool| {
-            let range = range.clone().into_par_iter().with_min_len(ROWS);
+            let range = range.clone().into_par_iter().with_min_len(ROWS).with_max_len(ROWS);
             pool.install(|| range.map(|index| f(index).ok()).collect())
         });
         shared.map_or_else(|| range.map(f).collect(), Ok)
