@@ -41,7 +41,7 @@ planted $kernels/exact/filter.rs 'let (e1, e2, s) = (v1 - v0, v2 - v0, o - v0);'
 planted $kernels/exact/sum.rs '(a - (sum - b_of_sum)) + (b - b_of_sum)' '(b - b_of_sum) + (a - (sum - b_of_sum))'
 planted $kernels/exact/predicates.rs 'difference(a[k], b[k])' 'difference(b[k], a[k])'
 # A fused multiplication and addition.
-planted $kernels/exact/filter.rs '(error + x.abs() * errors.det) * reciprocal.abs()' 'x.abs().mul_add(errors.det, error) * reciprocal.abs()'
+planted $kernels/exact/filter.rs '(error + x.abs() * self.det) * reciprocal.abs()' 'x.abs().mul_add(self.det, error) * reciprocal.abs()'
 # One step of the reciprocal, here and there; and none for one of the two planes.
 planted $slabs/directed.rs 'pub const STEPS: u32 = 2;' 'pub const STEPS: u32 = 1;'
 planted $slabs/slabs64.rs 'pub const STRICT_STEPS: u32 = 3;' 'pub const STRICT_STEPS: u32 = 2;'
@@ -91,7 +91,7 @@ planted src/geom/vector.rs 'if below < 0.0 { lo.next_down() } else { lo } as f32
 planted $kernels/exact/fine.rs 'a[i] * b[j] - a[j] * b[i]' 'a[j] * b[i] - a[i] * b[j]'
 planted $kernels/exact/fine.rs 'filter(|&k| d[k] != 0.0)' 'filter(|&k| d[k] > 0.0)'
 # Lanes: planes, their sides, steps, a NaN, bits of a rank, a comparison.
-planted $lanes/boxes.rs 'self.distance(planes, 1, side[1] ^ A, far)' 'self.distance(planes, 1, side[1], far)'
+planted $lanes/boxes.rs '(Self::pick(simd, y, side[1]) - origin[1])' '(Self::pick(simd, y, side[0]) - origin[1])'
 planted $lanes/boxes.rs 'direction.cmplt(Vec4::ZERO)' 'direction.cmple(Vec4::ZERO)'
 planted $lanes/boxes.rs 'far: splat(simd, far.truncate())' 'far: splat(simd, near.truncate())'
 planted $lanes/boxes.rs 'lesser(far_z, V::splat(simd, end))' 'lesser(V::splat(simd, end), far_z)'
@@ -103,8 +103,8 @@ planted $lanes/triangles.rs '(127 - 40) << 23' '(127 - 60) << 23'
 planted $lanes/triangles.rs '(far + reach).max(MIN_EDGE)' 'far.max(reach).max(MIN_EDGE)'
 planted $lanes/triangles.rs 'rounded.next_up()' 'rounded'
 planted $lanes/triangles.rs 'a[1] * b[2] - a[2] * b[1]' 'a[2] * b[1] - a[1] * b[2]'
-planted $lanes/triangles.rs 't.to_bits() ^ (det.to_bits() & (1 << 31))' 't.to_bits() ^ (u.to_bits() & (1 << 31))'
-planted $lanes/triangles.rs 'u.min(v).min(w).simd_lt(-delta) & ' 'u.min(v).min(w).simd_lt(-delta) | '
+planted $lanes/triangles.rs 't.turned(det)' 't.turned(least)'
+planted $lanes/triangles.rs 'least.simd_lt(-delta) & ' 'least.simd_lt(-delta) | '
 planted $lanes/block.rs '(v2 - v0).abs()' '(v2 - v1).abs()'
 # The nearest point of a triangle and its bounds: a constant, two comparisons, and two orders.
 planted src/geom/nearest.rs 'const MARGIN: f64 = 64.0 * UNIT;' 'const MARGIN: f64 = 32.0 * UNIT;'

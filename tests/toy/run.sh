@@ -16,7 +16,7 @@ done | tar --create --null --files-from=- | tar --extract --directory="$copy"
 
 cd "$copy"
 cp "$toy/toy.rs" src/traverse/toy.rs
-sed --in-place 's/^mod unfit;$/mod toy;\n&/' src/traverse/mod.rs
+sed --in-place 's/^mod unsupported;$/mod toy;\n&/' src/traverse/mod.rs
 # The row goes before the brace that ends the table, the last line of its file.
 sed --in-place '$d' src/traverse/table.rs
 { cat "$toy/row.txt"; echo '}'; } >> src/traverse/table.rs
