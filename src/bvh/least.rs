@@ -2,9 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::wide::leaf_places;
-use super::{Bvh, WideBvh};
-use crate::geom::lanes::Precision;
+use super::Bvh;
 use crate::tree::Node;
 
 /// The indices for inner nodes, computed at first use: few queries need them.
@@ -14,7 +12,13 @@ pub(super) struct Least(OnceLock<Box<[u32]>>);
 impl Least {
     /// Returns the index for a node. There are `count` inner nodes, which come before their children. `prims` returns
     /// the indices in a leaf.
-    fn below<C, P>(&self, node: Node, count: usize, children: impl Fn(usize) -> C, prims: impl Fn(Node) -> P) -> u32
+    pub(super) fn below<C, P>(
+        &self,
+        node: Node,
+        count: usize,
+        children: impl Fn(usize) -> C,
+        prims: impl Fn(Node) -> P,
+    ) -> u32
     where
         C: IntoIterator<Item = Node>,
         P: Iterator<Item = u32>,
@@ -41,17 +45,5 @@ impl<S> Bvh<S> {
     pub(crate) fn least_below(&self, node: Node) -> u32 {
         let prims = |leaf| self.leaf_triangles(leaf).iter().map(|held| held.prim);
         self.least.below(node, self.nodes().len(), |i| self.node(i).children, prims)
-    }
-}
-
-impl<const A: usize, V: Precision> WideBvh<A, V> {
-    /// Returns the least index of the triangles of a leaf, or below an inner node.
-    pub(crate) fn least_below(&self, node: Node) -> u32 {
-        let children = |i: usize| {
-            let node = &self.nodes()[i];
-            (0..A as u32).filter(|&slot| node.has_child(slot)).map(|slot| node.child(slot))
-        };
-        let prims = |leaf| leaf_places(leaf).map(|place| self.prim(place));
-        self.least.below(node, self.nodes().len(), children, prims)
     }
 }

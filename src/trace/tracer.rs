@@ -22,10 +22,10 @@ use crate::geom::lanes::{Level, Precision, with_baseline};
 use crate::geom::{Ball, Mesh, Ray};
 use crate::tree::Node;
 use crate::wide::{Method, Tables, Unsupported, Wanted};
-use interleaved::{Answers, HitQuery, Job, trace, trace_one};
+use interleaved::{Answers, trace, trace_one};
+use search::{HitQuery, Job};
 use shared::{LaneRay, Query};
 
-pub(super) use interleaved::with_memory;
 pub(super) use search::LaneRanks;
 pub(super) use shared::{Query as SharedQuery, run as run_shared};
 

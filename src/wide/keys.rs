@@ -4,16 +4,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::ops::Mul;
 
-use super::tree::Topology;
+use super::tree::{Topology, slot_bits};
 use crate::key::Word;
 use crate::tree::Node;
-
-/// Returns the bits of a slot's number: log2 A.
-#[inline(always)]
-pub(super) const fn slot_bits<const A: usize>() -> u32 {
-    const { assert!(A == 2 || A == 4 || A == 8, "nodes have 2, 4 or 8 slots") };
-    A.trailing_zeros()
-}
 
 /// Returns the key of the child in a slot. `[WIDE-9]`
 ///

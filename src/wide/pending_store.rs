@@ -3,8 +3,8 @@
 use core::fmt::Debug;
 use core::ops::{Add, Shl, Shr};
 
-use super::keys::slot_bits;
 use super::search::{RankedChild, is_beyond};
+use super::tree::slot_bits;
 use crate::key::{KeyWord, TooDeep, Word};
 
 /// A level to return to.

@@ -1,9 +1,9 @@
 //! Vaidyanathan et al. 2019: a restart trail, and a short stack.
 
-use super::keys::slot_bits;
 use super::pending_store::StateView;
 use super::search::{Ranks, Search, Wanted, is_beyond};
 use super::tree::Topology;
+use super::tree::slot_bits;
 use super::{Cursor, Next};
 use crate::key::TooDeep;
 use crate::tree::Node;

@@ -4,7 +4,6 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::keys::slot_bits;
 use crate::tree::{self, Node};
 
 /// A wide tree: an inner node has `A` slots, each with a child or empty, and every node except the root is the child of
@@ -35,6 +34,13 @@ pub trait Topology<const A: usize> {
     fn parent(&self, node: Node) -> Node {
         self.ancestor(node, 1)
     }
+}
+
+/// Returns the bits of a slot's number: log2 A.
+#[inline(always)]
+pub(super) const fn slot_bits<const A: usize>() -> u32 {
+    const { assert!(A == 2 || A == 4 || A == 8, "nodes have 2, 4 or 8 slots") };
+    A.trailing_zeros()
 }
 
 /// A wide tree in an array: node `i` is element `i`, the root is element 0.

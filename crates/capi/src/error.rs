@@ -1,11 +1,11 @@
 //! Errors: a code for the program, and a message that names the element.
 
+use std::fmt;
+
 use stackless_bvh::bvh::{BuildError, RefitError, WideError};
 use stackless_bvh::geom::{AffineError, BallError, EnvironmentError, MeshError, RayError};
 use stackless_bvh::trace::{AssemblyError, SolidError};
 use stackless_scene::SavedError;
-
-use crate::memory::Element;
 
 /// The result of a function. After any code except `STACKLESS_ERROR_NONE`, `stackless_error_message` gives details, and
 /// the outputs of the function are unspecified.
@@ -28,6 +28,20 @@ pub enum Error {
     UnsuitableMesh = 6,
     /// A bug in this library. Destroy the scene.
     Internal = 7,
+}
+
+/// The name of an argument, and optionally the index of an element.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Element {
+    pub(crate) name: &'static str,
+    pub(crate) index: Option<usize>,
+}
+
+impl fmt::Display for Element {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)?;
+        self.index.map_or(Ok(()), |index| write!(f, "[{index}]"))
+    }
 }
 
 /// An error with its message.

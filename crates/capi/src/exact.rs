@@ -2,19 +2,36 @@
 
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use stackless_bvh::geom::{Ends, ExactPoint, ExactRay, Precision, RayError, Triangle};
+use stackless_bvh::geom::{Ends, ExactPoint, ExactRay as CheckedRay, Precision, RayError, Triangle};
 use stackless_bvh::trace::{Hit as Found, InstanceFilter, InstanceHit, InstanceTracer, RayQueries as _};
 
-use crate::error::Fault;
+use crate::error::{Element, Fault};
 use crate::filters::OneFilter;
-use crate::memory::{Element, room};
+use crate::memory::room;
 use crate::queries::{Rays, Real, checked, hit, is_parallel};
 use crate::scene::{Scene, shared};
-use crate::types::{ExactRay as CRay, Hit};
+use crate::types::Hit;
 
 /// An exact point: of floats, or of a hit. Any number of threads may use it at the same time.
 #[derive(Debug)]
 pub struct Point<V: Precision>(ExactPoint<V>);
+
+/// A ray that starts at an exact point, such as the point of a hit.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct ExactRay<R, V: Precision> {
+    /// The start point.
+    pub origin: *const Point<V>,
+    /// The end point, at t = 1. If null, the ray has the direction and the end below.
+    pub target: *const Point<V>,
+    /// Finite and nonzero.
+    pub direction: [R; 3],
+    /// The maximum distance of a hit, at least 0. May be infinite.
+    pub tmax: R,
+    /// Whether the ends belong to the ray. If not, hits have 0 < t < tmax: the ray does not hit the face that it
+    /// leaves, nor any other face that contains the origin.
+    pub is_closed: bool,
+}
 
 /// An exact ray of the caller, with checked references instead of pointers, and its filter, which skips an `S` and
 /// accepts hits `H`.
@@ -25,7 +42,7 @@ pub(crate) struct Way<'a, V: Precision, S, H> {
     pub(crate) direction: [Real<V>; 3],
     pub(crate) tmax: Real<V>,
     pub(crate) is_closed: bool,
-    pub(crate) filter: Option<OneFilter<CRay<Real<V>, V>, S, H>>,
+    pub(crate) filter: Option<OneFilter<ExactRay<Real<V>, V>, S, H>>,
     /// The name in errors.
     pub(crate) element: Element,
 }
@@ -160,7 +177,7 @@ fn each<Y: Sync, A: Send>(
 }
 
 impl<V: Precision, S, H> Way<'_, V, S, H> {
-    fn ray(&self) -> Result<ExactRay<V>, Fault> {
+    fn ray(&self) -> Result<CheckedRay<V>, Fault> {
         let Self { origin: Point(origin), target, direction, tmax, is_closed, element, .. } = *self;
         let ends = if is_closed { Ends::Closed } else { Ends::Open };
         let ray = match target {

@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use rayon::ThreadPool;
 use stackless_bvh::bvh::BuildOptions;
 use stackless_bvh::geom::{AffineMap, Precision, Real as _};
-use stackless_bvh::trace::{Assembly, Instance, InstanceHit as Found, InstanceTracer, Object, RayQueries as _};
+use stackless_bvh::trace::{self, Assembly, Instance, InstanceHit as Found, InstanceTracer, RayQueries as _};
 use stackless_bvh::traverse::Method;
 
 use crate::error::{Error, Fault};
@@ -23,10 +23,10 @@ use crate::types::{InstanceHit, Options, Ray, STACKLESS_MAX_LEVELS, STACKLESS_NO
 #[derive(Debug)]
 pub struct Instances<V: Precision> {
     assembly: Assembly<V>,
-    root: Object,
+    root: trace::Object,
     tracer: InstanceTracer<V>,
     /// The masks of the scenes that have masks.
-    masks: HashMap<Object, Arc<[u32]>>,
+    masks: HashMap<trace::Object, Arc<[u32]>>,
     pool: Option<ThreadPool>,
 }
 
@@ -36,6 +36,16 @@ const _: () = {
     is_shared::<Instances<Vec3>>();
     is_shared::<Instances<DVec3>>();
 };
+
+/// A scene or a group of instances. Of the two pointers, one is null.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct Object<V: Precision> {
+    /// A scene, or null.
+    pub scene: *const Scene<V>,
+    /// Instances, or null.
+    pub instances: *const Instances<V>,
+}
 
 /// An object of the caller, by reference.
 #[derive(Debug)]

@@ -29,7 +29,7 @@ mod ways;
 
 pub use border::stackless_error_message;
 pub use error::Error;
-pub use exact::Point;
-pub use instances::Instances;
+pub use exact::{ExactRay, Point};
+pub use instances::{Instances, Object};
 pub use scene::Scene;
-pub use types::{ExactRay, Filter, Hit, InstanceHit, Near, Object, Options, Ray};
+pub use types::{Filter, Hit, InstanceHit, Near, Options, Ray};

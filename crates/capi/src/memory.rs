@@ -4,14 +4,13 @@
 //! no other thread changes these elements during the call. This module checks all other requirements.
 
 use std::ffi::{CStr, c_char};
-use std::fmt;
 use std::marker::PhantomData;
 use std::ops::Range;
 use std::path::Path;
 
 use rayon::prelude::*;
 
-use crate::error::Fault;
+use crate::error::{Element, Fault};
 
 /// Number of elements that a thread takes at once, as in the library.
 const PIECE: usize = 256;
@@ -20,20 +19,6 @@ const PIECE: usize = 256;
 #[repr(C, packed)]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Anywhere<T>(pub(crate) T);
-
-/// The name of an argument, and optionally the index of an element.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Element {
-    name: &'static str,
-    index: Option<usize>,
-}
-
-impl fmt::Display for Element {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name)?;
-        self.index.map_or(Ok(()), |index| write!(f, "[{index}]"))
-    }
-}
 
 /// Returns an empty vector with room for `count` elements.
 pub(crate) fn room<T>(count: usize) -> Result<Vec<T>, Fault> {

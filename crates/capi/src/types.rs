@@ -2,12 +2,6 @@
 
 use std::ffi::c_void;
 
-use stackless_bvh::geom::Precision;
-
-use crate::exact::Point;
-use crate::instances::Instances;
-use crate::scene::Scene;
-
 /// The index that means no face, for a ray that misses.
 pub const STACKLESS_NO_FACE: u32 = u32::MAX;
 
@@ -82,23 +76,6 @@ pub struct Filter<Y, S, H> {
     pub user: *mut c_void,
 }
 
-/// A ray that starts at an exact point, such as the point of a hit.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct ExactRay<R, V: Precision> {
-    /// The start point.
-    pub origin: *const Point<V>,
-    /// The end point, at t = 1. If null, the ray has the direction and the end below.
-    pub target: *const Point<V>,
-    /// Finite and nonzero.
-    pub direction: [R; 3],
-    /// The maximum distance of a hit, at least 0. May be infinite.
-    pub tmax: R,
-    /// Whether the ends belong to the ray. If not, hits have 0 < t < tmax: the ray does not hit the face that it
-    /// leaves, nor any other face that contains the origin.
-    pub is_closed: bool,
-}
-
 /// The hit of a ray with a face.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -129,16 +106,6 @@ pub struct InstanceHit<R> {
     pub levels: u32,
     /// The index of the instance in each of these groups, outermost first. The other numbers are `UINT32_MAX`.
     pub path: [u32; STACKLESS_MAX_LEVELS],
-}
-
-/// A scene or a group of instances. Of the two pointers, one is null.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct Object<V: Precision> {
-    /// A scene, or null.
-    pub scene: *const Scene<V>,
-    /// Instances, or null.
-    pub instances: *const Instances<V>,
 }
 
 /// The nearest point of the mesh.

@@ -5,11 +5,10 @@ use std::ptr;
 use stackless_bvh::geom::Precision;
 
 use crate::error::Fault;
-use crate::exact::{Exact, Point, Way};
+use crate::exact::{Exact, ExactRay, Point, Way};
 use crate::filters::Filters;
 use crate::memory::{In, Out, room, shared};
 use crate::queries::Real;
-use crate::types::ExactRay;
 
 /// Exact rays in the format of C.
 type Rays<'a, V> = In<'a, ExactRay<Real<V>, V>>;

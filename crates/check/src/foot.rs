@@ -3,7 +3,8 @@
 use dashu_int::IBig;
 use stackless_bvh::internals::geom::truth::Relaxed;
 
-use crate::instance_oracle::IntegerPoint;
+/// The coordinates of a point, times a power of two.
+pub(crate) type IntegerPoint = [IBig; 3];
 
 /// The nearest point of a triangle: a + (v (b - a) + w (c - a)) / whole, and the square of its distance.
 pub(crate) struct Foot {

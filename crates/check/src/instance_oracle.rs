@@ -15,9 +15,7 @@ use stackless_bvh::trace::{
     Assembly, AssemblyError, Instance, InstanceHit, InstanceNear, InstanceTracer, Object, RayQueries,
 };
 
-use crate::foot::Foot;
-
-pub(crate) type IntegerPoint = [IBig; 3];
+use crate::foot::{Foot, IntegerPoint};
 
 /// A placed shape, in the form that the oracle uses.
 #[derive(Clone, Debug, PartialEq)]

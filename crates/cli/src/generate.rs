@@ -8,8 +8,6 @@ use clap_mangen::Man;
 use crate::Outcome;
 use crate::output::{count, say, write_file};
 use crate::places::{self, Output};
-use crate::run::command_line;
-use crate::stackless::Stackless;
 
 /// Write the manual pages, or completions for a shell.
 #[derive(clap::Args)]
@@ -34,9 +32,10 @@ enum What {
     Zsh,
 }
 
-pub(crate) fn run(args: &Args) -> Outcome {
+/// Writes the pages or the completions of this command.
+pub(crate) fn run(args: &Args, mut command: clap::Command) -> Outcome {
     let shell = match args.what {
-        What::Man => return pages(args.output.as_deref().unwrap_or(Path::new("."))),
+        What::Man => return pages(command, args.output.as_deref().unwrap_or(Path::new("."))),
         What::Bash => Shell::Bash,
         What::Elvish => Shell::Elvish,
         What::Fish => Shell::Fish,
@@ -47,15 +46,14 @@ pub(crate) fn run(args: &Args) -> Outcome {
         return Err("--output: completions go to the standard output".into());
     }
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut command_line::<Stackless>(), "stackless", &mut script);
+    clap_complete::generate(shell, &mut command, "stackless", &mut script);
     write_file("-".as_ref(), |file| file.write_all(&script))?;
     Ok(true)
 }
 
 /// Writes the pages of section 1.
-fn pages(folder: &Path) -> Outcome {
+fn pages(mut command: clap::Command, folder: &Path) -> Outcome {
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: cannot be created: {error}", folder.display()))?;
-    let mut command = command_line::<Stackless>();
     // Subcommands get their full names and the global options.
     command.build();
     let mut pages = Vec::new();

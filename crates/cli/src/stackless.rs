@@ -2,7 +2,7 @@
 
 use clap::Parser;
 
-use crate::run::{Outcome, Program};
+use crate::run::{Outcome, Program, command_line};
 use crate::{bench, check, conform, explain, generate, merge, methods, points, render, stats, stress, suite, trace};
 
 /// Exact ray tracing on triangle meshes, and stackless traversals that are checked and measured.
@@ -61,7 +61,7 @@ impl Program for Stackless {
             Self::Suite(args) => suite::run(&args),
             Self::Explain(args) => explain::run(&args, explain::Extra::default()),
             Self::Merge(args) => merge::run(&args, &merge::COMMANDS),
-            Self::Generate(args) => generate::run(&args),
+            Self::Generate(args) => generate::run(&args, command_line::<Self>()),
         }
     }
 }

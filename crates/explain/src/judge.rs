@@ -1,8 +1,8 @@
 //! Comparison of a recording with the oracle's.
 
+use super::lookup::binary;
 use super::observe::{self, LinkTable, Log, Seen, Word};
-use super::text::binary;
-use super::{By, ExplainError, Next, Step, slot, text};
+use super::{By, ExplainError, Next, slot};
 use stackless_bvh::event::{Recorder, State};
 use stackless_bvh::internals::traverse::Need;
 use stackless_bvh::order::{Descent, Flow, Pruning};
@@ -17,7 +17,7 @@ pub(super) struct Judge<'a> {
     pub(super) method: Method,
     keys: Keys,
     parents: Parents,
-    links: LinkTable,
+    pub(super) links: LinkTable,
     /// `None` if the oracle's visits do not match its decisions.
     expected: Option<Vec<Visit>>,
 }
@@ -116,38 +116,6 @@ impl<'a> Judge<'a> {
         self.differs(visit, what, expected, found)
     }
 
-    /// Converts a visit to its form on the page.
-    pub(super) fn step(&self, steps: &[Seen], visit: usize, stack: &[Node]) -> Step {
-        let (seen, following) = (&steps[visit], steps.get(visit + 1));
-        let (state, wanted) = (&seen.state, self.wanted(seen.state.node, seen.descent));
-        let next = following.map(|following| self.next(seen, &following.state, &wanted));
-        let (text, clauses) = text::of(self, seen, next.as_ref());
-        let slots = |nodes: &[Node]| nodes.iter().map(|&node| slot(self.tree, node)).collect();
-        let links = self.links.of_node(self.tree, state.node);
-        let [key, trail, counter, disjoint] =
-            [state.key, state.trail, state.counter, state.disjoint].map(|word| word.as_ref().map(binary));
-        Step {
-            node: slot(self.tree, state.node),
-            restart: state.is_restarting,
-            key,
-            trail,
-            counter,
-            disjoint,
-            register: state.register.map(|node| slot(self.tree, node)),
-            links: links.into_iter().map(|link| link.map(|node| slot(self.tree, node))).collect(),
-            sets: None,
-            rows: Vec::new(),
-            stack: slots(stack),
-            beyond: Vec::new(),
-            decision: seen.descent.map(text::decision),
-            wanted: slots(&wanted),
-            hit: seen.found.hit,
-            next,
-            text,
-            clauses,
-        }
-    }
-
     pub(super) fn key(&self, node: Node) -> u128 {
         self.keys.key(self.tree.slot(node))
     }
@@ -174,7 +142,7 @@ impl<'a> Judge<'a> {
         sides.into_iter().flatten().map(|side| self.tree.child(node, side)).collect()
     }
 
-    fn next(&self, seen: &Seen, following: &State<Word>, wanted: &[Node]) -> Next {
+    pub(super) fn next(&self, seen: &Seen, following: &State<Word>, wanted: &[Node]) -> Next {
         let (node, descends) = (following.node, wanted.contains(&following.node));
         // A climb reads some records more than once.
         let mut way = seen.read.clone();

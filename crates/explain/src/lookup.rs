@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use super::text::binary;
 use stackless_bvh::hash::{PerfectHash, fold};
 use stackless_bvh::internals::hash::{decode, is_address};
 use stackless_bvh::key::KeyWord;
@@ -99,4 +98,14 @@ impl HashLookup {
         };
         Self { key: binary(key), number: number.to_string(), bucket, entry, remainder, cell, node }
     }
+}
+
+/// Formats a word in binary, without leading zeros.
+pub(super) fn binary<W: KeyWord>(word: &W) -> String {
+    let (mut rest, mut digits) = (word.clone(), Vec::new());
+    while !rest.is_zero() {
+        digits.push(if rest.low_bits() & 1 == 1 { '1' } else { '0' });
+        rest = rest.shr1();
+    }
+    if digits.is_empty() { "0".to_owned() } else { digits.into_iter().rev().collect() }
 }

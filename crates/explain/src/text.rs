@@ -1,26 +1,51 @@
 //! Descriptions of visits.
 
 use super::judge::Judge;
+use super::lookup::binary;
 use super::observe::Seen;
-use super::{By, Entry, HashLookup, Next};
+use super::{By, Entry, HashLookup, Next, Step, slot};
 use stackless_bvh::event::State;
-use stackless_bvh::key::{KeyWord, Side};
+use stackless_bvh::key::{KeyWord as _, Side};
 use stackless_bvh::order::Descent;
 use stackless_bvh::traverse::{Method, Test};
-use stackless_bvh::tree::Recorded;
+use stackless_bvh::tree::{Node, Recorded};
 
-/// Formats a word in binary, without leading zeros.
-pub(super) fn binary<W: KeyWord>(word: &W) -> String {
-    let (mut rest, mut digits) = (word.clone(), Vec::new());
-    while !rest.is_zero() {
-        digits.push(if rest.low_bits() & 1 == 1 { '1' } else { '0' });
-        rest = rest.shr1();
+impl Judge<'_> {
+    /// Converts a visit to its form on the page.
+    pub(super) fn step(&self, steps: &[Seen], visit: usize, stack: &[Node]) -> Step {
+        let (seen, following) = (&steps[visit], steps.get(visit + 1));
+        let (state, wanted) = (&seen.state, self.wanted(seen.state.node, seen.descent));
+        let next = following.map(|following| self.next(seen, &following.state, &wanted));
+        let (text, clauses) = of(self, seen, next.as_ref());
+        let slots = |nodes: &[Node]| nodes.iter().map(|&node| slot(self.tree, node)).collect();
+        let links = self.links.of_node(self.tree, state.node);
+        let [key, trail, counter, disjoint] =
+            [state.key, state.trail, state.counter, state.disjoint].map(|word| word.as_ref().map(binary));
+        Step {
+            node: slot(self.tree, state.node),
+            restart: state.is_restarting,
+            key,
+            trail,
+            counter,
+            disjoint,
+            register: state.register.map(|node| slot(self.tree, node)),
+            links: links.into_iter().map(|link| link.map(|node| slot(self.tree, node))).collect(),
+            sets: None,
+            rows: Vec::new(),
+            stack: slots(stack),
+            beyond: Vec::new(),
+            decision: seen.descent.map(decision),
+            wanted: slots(&wanted),
+            hit: seen.found.hit,
+            next,
+            text,
+            clauses,
+        }
     }
-    if digits.is_empty() { "0".to_owned() } else { digits.into_iter().rev().collect() }
 }
 
 /// Formats a decision.
-pub(super) fn decision(descent: Descent) -> String {
+fn decision(descent: Descent) -> String {
     let side = side(descent.first());
     match (descent.is_neither(), descent.postpones()) {
         (true, _) => "neither child".to_owned(),
@@ -31,7 +56,7 @@ pub(super) fn decision(descent: Descent) -> String {
 }
 
 /// Returns the description of a visit, and its clauses.
-pub(super) fn of(judge: &Judge<'_>, seen: &Seen, next: Option<&Next>) -> (String, Vec<&'static str>) {
+fn of(judge: &Judge<'_>, seen: &Seen, next: Option<&Next>) -> (String, Vec<&'static str>) {
     let (visit, mut clauses) = visited(judge, seen);
     let (way, by) = match next {
         None => end(judge.method, seen),

@@ -3,10 +3,10 @@
 use syn::Expr as Rust;
 
 use crate::operators;
-use crate::reader::{Frame, Reader, Result};
+use crate::reader::{Frame, Reader};
 use crate::shapes::name_of_constant;
 use crate::source::text;
-use crate::value::{Bits, Expr, Format, Value};
+use crate::value::{Bits, Expr, Format, Result, Value};
 
 impl Reader<'_> {
     /// Returns the value of a name.

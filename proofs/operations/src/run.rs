@@ -5,10 +5,10 @@ use std::rc::Rc;
 use syn::{Block, Expr as Rust, Stmt, UnOp};
 
 use crate::operators;
-use crate::reader::{Frame, Reader, Result};
+use crate::reader::{Frame, Reader};
 use crate::shapes::{element, literal_of, member};
 use crate::source::text;
-use crate::value::{Closure, Expr, Value};
+use crate::value::{Closure, Expr, Result, Value};
 
 impl Reader<'_> {
     /// Runs statements. Returns the value of the last one. In the block of a function, a branch may return early.

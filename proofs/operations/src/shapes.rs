@@ -1,12 +1,11 @@
-//! The shapes of values: their parts, their names, and those of parameters.
+//! The shapes of values: their parts and their names.
 
 use std::collections::BTreeSet;
 
 use syn::Lit;
 
-use crate::reader::{Reader, Result};
-use crate::source::{Place, last_name, module_of, text};
-use crate::value::{Expr, Format, Value};
+use crate::source::{Place, module_of, text};
+use crate::value::{Expr, Format, Result, Value};
 
 /// Returns the expressions of a value.
 pub(crate) fn numbers(value: &Value) -> Vec<(Option<Format>, Expr)> {
@@ -119,49 +118,4 @@ pub(crate) fn element<'v>(value: &'v Value, at: &Value) -> Result<&'v Value> {
         _ => None,
     };
     part.ok_or_else(|| format!("element {at} of {}", value.kind()))
-}
-
-/// Returns the value of a parameter: its shape, with names for its numbers.
-pub(crate) fn unknown(reader: &Reader<'_>, ty: &syn::Type, owner: &str, name: &str) -> Result<Value> {
-    if let Some(format) = reader.format(ty) {
-        return Ok(Value::Real(Some(format), Expr::Name(name.into())));
-    }
-    let list = |of: Vec<(usize, &syn::Type)>| {
-        let each = of.into_iter().map(|(at, ty)| unknown(reader, ty, owner, &format!("{name}_{at}")));
-        Ok(Value::List(each.collect::<Result<_>>()?))
-    };
-    match ty {
-        syn::Type::Reference(ty) => unknown(reader, &ty.elem, owner, name),
-        syn::Type::Tuple(ty) => list(ty.elems.iter().enumerate().collect()),
-        syn::Type::Array(ty) => match text(&ty.len).parse::<usize>() {
-            Ok(len @ 0..=64) => list((0..len).map(|at| (at, &*ty.elem)).collect()),
-            _ => Err(format!("not understood: {}", text(ty))),
-        },
-        syn::Type::Path(_) => {
-            let short = reader.known_in(owner, &last_name(ty));
-            let short = if short == "Self" { owner } else { &short };
-            if let Some((_, alias)) = reader.source.aliases.iter().find(|(name, _)| name == short) {
-                return unknown(reader, alias, owner, name);
-            }
-            match short {
-                "bool" if reader.known_as(name) == "false" => return Ok(Value::Bool(Expr::False)),
-                "bool" => return Ok(Value::Bool(Expr::Name(name.into()))),
-                "i32" | "u32" | "unknown" => return Ok(Value::Unknown(name.into())),
-                "simd" => return Ok(Value::Unit),
-                "f32" => return Ok(Value::Real(Some(Format::Single), Expr::Name(name.into()))),
-                // The begin of a row of four: that of the upper planes, or that of the lower ones.
-                "side" => {
-                    let either = [Expr::Name(name.into()), Expr::Number(4), Expr::Number(0)];
-                    return Ok(Value::Count(Expr::If(Box::new(either))));
-                }
-                _ => {}
-            }
-            let fields = reader.source.structure(short)?.fields.iter().map(|(field, ty)| {
-                let under = if field == "0" { name.to_owned() } else { format!("{name}_{field}") };
-                Ok((field.clone(), unknown(reader, ty, short, &under)?))
-            });
-            Ok(Value::Struct(short.into(), fields.collect::<Result<_>>()?))
-        }
-        _ => Err(format!("not understood: {}", text(ty))),
-    }
 }

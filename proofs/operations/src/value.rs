@@ -4,6 +4,8 @@ use std::rc::Rc;
 
 use crate::source::Place;
 
+pub(crate) type Result<T> = std::result::Result<T, String>;
+
 /// The format of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Format {
@@ -156,7 +158,7 @@ impl Expr {
     }
 
     /// Sets all unknown formats.
-    pub(crate) fn settle(&self, format: Format) -> Result<Self, String> {
+    pub(crate) fn settle(&self, format: Format) -> Result<Self> {
         Ok(match self {
             Self::Literal(digits) => {
                 let number = match format {
@@ -166,7 +168,7 @@ impl Expr {
                 constant(number.map_err(|error| format!("{digits}: {error}"))?)?
             }
             Self::Op(name, None, of) if !is_logic(name) => {
-                let of = of.iter().map(|x| x.settle(format)).collect::<Result<_, _>>()?;
+                let of = of.iter().map(|x| x.settle(format)).collect::<Result<_>>()?;
                 Self::Op(name, Some(format), of)
             }
             Self::If(of) => {
@@ -180,7 +182,7 @@ impl Expr {
 }
 
 /// Converts a finite double to an integer times a power of two.
-pub(crate) fn constant(number: f64) -> Result<Expr, String> {
+pub(crate) fn constant(number: f64) -> Result<Expr> {
     if !number.is_finite() || number.is_sign_negative() {
         return Err(format!("a literal that is no positive number: {number}"));
     }
@@ -235,7 +237,7 @@ impl Value {
     }
 
     /// Replaces the expression of a value.
-    pub(crate) fn with(&self, x: &Expr) -> Result<Self, String> {
+    pub(crate) fn with(&self, x: &Expr) -> Result<Self> {
         Ok(match self {
             Self::Real(format, _) => Self::Real(*format, x.clone()),
             Self::Bool(_) => Self::Bool(x.clone()),
@@ -246,19 +248,15 @@ impl Value {
     }
 
     /// Visits its expressions in order. `to` may replace each.
-    pub(crate) fn leaves(
-        &self,
-        name: &str,
-        to: &mut impl FnMut(&str, &Self) -> Result<Self, String>,
-    ) -> Result<Self, String> {
+    pub(crate) fn leaves(&self, name: &str, to: &mut impl FnMut(&str, &Self) -> Result<Self>) -> Result<Self> {
         let under = |field: &str| if field == "0" { name.to_owned() } else { format!("{name}_{field}") };
         Ok(match self {
             Self::List(of) => Self::List(
-                of.iter().enumerate().map(|(at, x)| x.leaves(&format!("{name}_{at}"), to)).collect::<Result<_, _>>()?,
+                of.iter().enumerate().map(|(at, x)| x.leaves(&format!("{name}_{at}"), to)).collect::<Result<_>>()?,
             ),
             Self::Struct(kind, fields) => {
                 let fields = fields.iter().map(|(field, x)| Ok((field.clone(), x.leaves(&under(field), to)?)));
-                Self::Struct(kind.clone(), fields.collect::<Result<_, String>>()?)
+                Self::Struct(kind.clone(), fields.collect::<Result<_>>()?)
             }
             Self::Option(is_there, x) => match to(&format!("{name}_is"), &Self::Bool(is_there.clone()))? {
                 Self::Bool(is_there) => Self::Option(is_there, Box::new(x.leaves(name, to)?)),
@@ -269,7 +267,7 @@ impl Value {
     }
 
     /// Selects one of two values of equal shape by a condition.
-    pub(crate) fn choose(condition: &Expr, yes: &Self, no: &Self) -> Result<Self, String> {
+    pub(crate) fn choose(condition: &Expr, yes: &Self, no: &Self) -> Result<Self> {
         match (condition, yes, no) {
             (Expr::True, ..) => return Ok(yes.clone()),
             (Expr::False, ..) => return Ok(no.clone()),
@@ -296,7 +294,7 @@ impl Value {
             }
             (Self::Unit, Self::Unit) => Self::Unit,
             (Self::List(x), Self::List(y)) if x.len() == y.len() => {
-                Self::List(x.iter().zip(y).map(|(x, y)| Self::choose(condition, x, y)).collect::<Result<_, _>>()?)
+                Self::List(x.iter().zip(y).map(|(x, y)| Self::choose(condition, x, y)).collect::<Result<_>>()?)
             }
             (Self::Struct(kind, x), Self::Struct(other, y)) if kind == other && x.len() == y.len() => {
                 let fields = x.iter().zip(y).map(|((name, x), (same, y))| {
@@ -305,14 +303,14 @@ impl Value {
                     }
                     Ok((name.clone(), Self::choose(condition, x, y)?))
                 });
-                Self::Struct(kind.clone(), fields.collect::<Result<_, String>>()?)
+                Self::Struct(kind.clone(), fields.collect::<Result<_>>()?)
             }
             (x, y) => return Err(format!("either {} or {}", x.kind(), y.kind())),
         })
     }
 
     /// Returns the count.
-    pub(crate) fn count(&self) -> Result<Expr, String> {
+    pub(crate) fn count(&self) -> Result<Expr> {
         match self {
             Self::Int(x) if *x >= 0 => Ok(Expr::Number(*x)),
             Self::Count(x) => Ok(x.clone()),
@@ -351,7 +349,7 @@ impl Value {
 }
 
 /// Returns the common format of two operands.
-pub(crate) fn same_format(a: Option<Format>, b: Option<Format>) -> Result<Option<Format>, String> {
+pub(crate) fn same_format(a: Option<Format>, b: Option<Format>) -> Result<Option<Format>> {
     match (a, b) {
         (Some(a), Some(b)) if a != b => Err("numbers of two formats".into()),
         (a, b) => Ok(a.or(b)),

@@ -10,9 +10,9 @@ use z3::ast::Bool;
 
 use crate::hash::{Slip, lemma};
 use crate::lemma::{Lemma, Query};
-use crate::machine::{Machine, Number, Type};
+use crate::machine::{Machine, Number};
 use crate::numbers::Bits;
-use crate::source::{Source, where_some};
+use crate::source::{Source, Type, where_some};
 use crate::trails::{climbed, trail_and_start};
 use crate::word::Symbolic;
 

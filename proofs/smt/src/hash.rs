@@ -5,9 +5,9 @@ use syn::{Block, Expr};
 use z3::ast::{BV, Bool};
 
 use crate::lemma::{Lemma, Query};
-use crate::machine::{Machine, Number, Type};
+use crate::machine::{Machine, Number};
 use crate::numbers::Bits;
-use crate::source::{Source, text, where_some};
+use crate::source::{Source, Type, text, where_some};
 
 /// Returns all lemmas.
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use syn::{BinOp, Block, Expr, Lit, RangeLimits, Stmt, UnOp};
 use z3::ast::Bool;
 
-use crate::source::{Source, pattern, text};
+use crate::source::{Source, Type, pattern, text};
 use crate::word::{require, take_required};
 
 /// Runs functions of a source. Values are bound to expressions by their text without spaces.
@@ -322,34 +322,6 @@ fn assigning(op: &BinOp) -> Result<Op, String> {
         BinOp::BitXorAssign(_) => Op::Xor,
         _ => return Err(format!("not understood: {}", text(op))),
     })
-}
-
-/// An integer type. One unsigned bit is a truth value.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Type {
-    pub(crate) width: u32,
-    pub(crate) signed: bool,
-}
-
-impl Type {
-    /// Returns the unsigned type of a width.
-    pub(crate) const fn unsigned(width: u32) -> Self {
-        Self { width, signed: false }
-    }
-
-    /// Finds a type by its name; `usize` has 64 bits.
-    pub(crate) fn named(name: &str) -> Result<Self, String> {
-        let (sign, width) = name.split_at(name.len().min(1));
-        let width = if width == "size" { Ok(64) } else { width.parse() };
-        match (sign, width) {
-            ("u" | "i", Ok(width)) => Ok(Self { width, signed: sign == "i" }),
-            _ => Err(format!("no integer type: {name}")),
-        }
-    }
-
-    fn max(self) -> u128 {
-        u128::MAX >> (u128::BITS - self.width + u32::from(self.signed))
-    }
 }
 
 /// An operator on two numbers. `Add` and `Mul` must not overflow.

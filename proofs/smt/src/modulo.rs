@@ -16,9 +16,9 @@ use z3::ast::{Bool, Int};
 
 use crate::hash::{Slip, lemma};
 use crate::lemma::{Lemma, Query};
-use crate::machine::{Machine, Type};
+use crate::machine::Machine;
 use crate::numbers::{Whole, power};
-use crate::source::{Source, text};
+use crate::source::{Source, Type, text};
 
 /// Returns all lemmas.
 pub(crate) fn lemmas() -> Result<Vec<Lemma>, String> {

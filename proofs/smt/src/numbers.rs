@@ -2,7 +2,8 @@
 
 use z3::ast::{BV, Bool, Int};
 
-use crate::machine::{Number, Op, Type};
+use crate::machine::{Number, Op};
+use crate::source::Type;
 use crate::word::{self, require};
 
 /// Unknown bits.

@@ -6,8 +6,6 @@ use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, Pat};
 
-use crate::machine::Type;
-
 /// The files of functions, by the names of their modules.
 const FILES: &[(&str, &str)] = &[
     ("modulo", include_str!("../../../src/hash/modulo.rs")),
@@ -105,6 +103,34 @@ fn only<T>(name: &str, found: Vec<T>) -> Result<T, String> {
     match <[_; 1]>::try_from(found) {
         Ok([item]) => Ok(item),
         Err(found) => Err(format!("{name} is the name of {} items", found.len())),
+    }
+}
+
+/// An integer type. One unsigned bit is a truth value.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Type {
+    pub(crate) width: u32,
+    pub(crate) signed: bool,
+}
+
+impl Type {
+    /// Returns the unsigned type of a width.
+    pub(crate) const fn unsigned(width: u32) -> Self {
+        Self { width, signed: false }
+    }
+
+    /// Finds a type by its name; `usize` has 64 bits.
+    pub(crate) fn named(name: &str) -> Result<Self, String> {
+        let (sign, width) = name.split_at(name.len().min(1));
+        let width = if width == "size" { Ok(64) } else { width.parse() };
+        match (sign, width) {
+            ("u" | "i", Ok(width)) => Ok(Self { width, signed: sign == "i" }),
+            _ => Err(format!("no integer type: {name}")),
+        }
+    }
+
+    pub(crate) fn max(self) -> u128 {
+        u128::MAX >> (u128::BITS - self.width + u32::from(self.signed))
     }
 }
 

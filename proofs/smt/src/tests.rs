@@ -7,9 +7,9 @@ use z3::ast::{Ast, BV, Bool};
 
 use crate::all;
 use crate::lemma::Query;
-use crate::machine::{Machine, Number, Type};
+use crate::machine::{Machine, Number};
 use crate::numbers::{Bits, Whole};
-use crate::source::Source;
+use crate::source::{Source, Type};
 use crate::word::{Symbolic, take_required};
 
 /// Numbers with few and many bits, at both ends of a word.

@@ -166,6 +166,16 @@ impl<const A: usize, V: Precision> WideBvh<A, V> {
     pub(crate) fn triangle(&self, place: usize) -> Triangle<V> {
         self.blocks[place / 4].triangle(place & 3)
     }
+
+    /// Returns the least index of the triangles of a leaf, or below an inner node.
+    pub(crate) fn least_below(&self, node: Node) -> u32 {
+        let children = |i: usize| {
+            let node = &self.nodes()[i];
+            (0..A as u32).filter(|&slot| node.has_child(slot)).map(|slot| node.child(slot))
+        };
+        let prims = |leaf| leaf_places(leaf).map(|place| self.prim(place));
+        self.least.below(node, self.nodes().len(), children, prims)
+    }
 }
 
 /// The data of a hierarchy that a traversal reads: a value, not a reference. So the compiler knows that no write of a

@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use super::{Block, BoxRay, FramedBoxes, LazyExact, LazyExact64, TriangleRay, block};
 use crate::geom::frame::power_of_two;
 use crate::geom::kernel::{Exact, Exact64, MAX_COORDINATE, Parity, USUAL};
-use crate::geom::slabs::{Directed, Framed, Slabs, Slabs64, directed};
+use crate::geom::slabs::{self, Directed, Framed, Slabs, Slabs64};
 use crate::geom::{EnclosedRay, Ray, Region, Triangle, Vector};
 
 /// Positions in single or in double precision, for wide trees. Boxes are always in single precision.
@@ -144,7 +144,7 @@ impl Precision for Vec3 {
     }
 
     fn has_near_rays(region: &Region) -> bool {
-        region.reach() <= f64::from(directed::MAX_COORDINATE)
+        region.reach() <= f64::from(slabs::MAX_COORDINATE)
     }
 
     #[inline(always)]

@@ -3,7 +3,7 @@
 use glam::{Vec3, Vec4, Vec4Swizzles};
 
 use super::entrance::{Entrance, enter_if};
-use super::{Intervals, MISSED, Slabs, near_and_far};
+use super::{Intervals, MAX_COORDINATE, MISSED, Slabs, near_and_far};
 use crate::geom::{Ray, Region};
 
 /// The slab test with a reciprocal for the near plane of each axis that is too small, and one for the far plane that is
@@ -32,9 +32,6 @@ pub struct Directed {
 
 /// Floats by which a reciprocal is moved. With 1, a ray through the edge of a box may miss it. `[BOX-4]`
 pub const STEPS: u32 = 2;
-
-/// Greatest magnitude of a coordinate for which no difference overflows.
-pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
 /// Returns whether single precision does not suffice for the boxes that a ray meets. Differences or all distances may
 /// overflow. Or the ray comes from far away, where rounding moves it by more than the size of boxes. Or a reciprocal

@@ -2,8 +2,7 @@
 
 use glam::{Vec3, Vec4};
 
-use super::directed::MAX_COORDINATE;
-use super::{Intervals, MISSED, STEPS, Slabs, near_and_far};
+use super::{Intervals, MAX_COORDINATE, MISSED, STEPS, Slabs, near_and_far};
 use crate::geom::region::SHORT;
 use crate::geom::{EnclosedRay, Interval, Ray, Region};
 

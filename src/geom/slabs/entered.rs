@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::afar;
-use super::directed::MAX_COORDINATE;
-use super::{Doubled, Intervals};
+use super::{Doubled, Intervals, MAX_COORDINATE};
+use crate::geom::fine::{Fine, shortened};
 use crate::geom::frame::{exponent_of, power_of_two};
+use crate::geom::kernel::USUAL;
 use crate::geom::truth::{Relaxed, first_touch};
 use crate::geom::{Interval, Ray, Region};
 
@@ -56,6 +56,9 @@ pub(super) const MAX_UNIT: i32 = 800;
 
 /// If bounds of the entry are farther apart than this fraction of the region, single precision is finer.
 const FINE: f64 = power_of_two(-24);
+
+/// Number of regions from which on a distance is far; doubles suffice for nearer rays.
+const FAR: f64 = power_of_two(12);
 
 impl Approach<Entry> {
     /// Transforms a ray into the frame of the boxes, and moves it to its entry into their region.
@@ -136,6 +139,30 @@ pub(in crate::geom) fn entry(
     (start <= end).then_some(start)
 }
 
+/// Moves a ray to a point of its line before the region, with its distance, and from there to its entry. `None` if
+/// twice the digits have no room, or the line is not near to the region. `[BOX-9]`
+fn approach(ray: &Ray<DVec3>, region: &Region) -> Option<(Interval, Approach<Entry>)> {
+    let (frame, o, d) = (region.frame(), ray.origin(), ray.direction());
+    let (middle, radius) = Interval::middles(&frame.leave(region.bounds()));
+    let [length, far] = [d, o - middle].map(|v| v.abs().max_element());
+    if ![length, far, radius].iter().all(|x| USUAL.contains(x)) || far < FAR * radius {
+        return None;
+    }
+    let [o, middle] = [o, middle].map(|v| v.to_array().map(Fine::exact));
+    let (beside, parts) = shortened([0, 1, 2].map(|k| o[k] - middle[k]), d);
+    // If the line meets the region, this is less than twice the radius on each axis.
+    if !beside.iter().all(|x| x.middle().abs() <= 2.0 * radius && x.off_middle() <= 0.5 * radius) {
+        return None;
+    }
+    // On the longest axis that is before the region: 4 - 2 - 1/2 radii from its center.
+    let back = 4.0 * radius / length;
+    let point = [0, 1, 2].map(|k| middle[k] + beside[k] - Fine::exact(back) * Fine::exact(d[k]));
+    let parts = parts.into_iter().chain([back]).map(|part| Interval::exact(-part));
+    let before = parts.fold(Interval::exact(0.0), |sum, part| sum + part);
+    let origin = [0, 1, 2].map(|k| frame.inside(k, point[k].interval()));
+    Some((before, Approach::on(ray, region, origin, 0.0)))
+}
+
 /// Components below this, where the greatest one is at least 1, move no point within a region by [`MARGIN`].
 const NOTHING: f64 = power_of_two(-1000);
 
@@ -170,7 +197,7 @@ impl Entered {
     #[cold]
     #[inline(never)]
     pub(super) fn slowly(ray: &Ray<DVec3>, region: &Region) -> Self {
-        match afar::approach(ray, region) {
+        match approach(ray, region) {
             Some((_, Approach::Misses)) => Self::MISSING,
             Some((before, Approach::Enters(entry))) => Self::at(entry, before, ray.tmin()),
             _ => Self::exactly(ray, region),

@@ -2,10 +2,9 @@
 
 use glam::{Vec3, Vec4};
 
-use super::directed::MAX_COORDINATE;
 use super::entered::Entered;
 use super::slabs64::lanes;
-use super::{Doubled, Intervals, near_and_far};
+use super::{Doubled, Intervals, MAX_COORDINATE, near_and_far};
 use crate::geom::frame::{exponent_of, power_of_two};
 use crate::geom::{Interval, Ray, Region};
 

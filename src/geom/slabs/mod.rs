@@ -7,7 +7,6 @@
 //! All forms are monotone under nesting: no ray enters an inner box before a box around it. And `one` is `pair` of a
 //! box and itself, so they agree in every bit.
 
-mod afar;
 #[cfg(any(test, feature = "internals"))]
 mod centred;
 pub(in crate::geom) mod directed;
@@ -35,6 +34,9 @@ use std::fmt::Debug;
 use glam::{Vec4, Vec4Swizzles};
 
 use super::{Aabb, Ray, Region, Vector};
+
+/// Greatest magnitude of a coordinate for which no difference overflows.
+pub(in crate::geom) const MAX_COORDINATE: f32 = f32::from_bits((127 + 126) << 23);
 
 /// A slab test, prepared for a ray.
 pub trait Slabs: Copy + Debug {

@@ -12,7 +12,8 @@ use crate::geom::lanes::{Block, EnclosedBoxes, LaneSet, Precision, TriangleRay, 
 use crate::geom::slabs::EnclosedSlabs;
 use crate::geom::{EnclosedRay, Real as _, Region, Triangle, Vector};
 use crate::order::Flow;
-use crate::trace::tracer::{LaneRanks, run_shared, with_memory};
+use crate::trace::memory::with_memory;
+use crate::trace::tracer::{LaneRanks, run_shared};
 use crate::tree::Node;
 use crate::wide::{self, Method, Supply, Tables, Topology, Unsupported, Wanted};
 

@@ -1,38 +1,14 @@
 //! The loop over rays: one alone, or two interleaved.
 
-use std::cell::Cell;
-
 use fearless_simd::Simd;
 
-use super::search::{HitOf, WideSearch};
+use super::search::{HitOf, HitQuery, Job, WideSearch};
 use super::shared;
 use crate::bvh::WideBvh;
-use crate::geom::lanes::{Hits as _, Level, Precision, vectorize};
+use crate::geom::lanes::{Hits as _, Precision, vectorize};
 use crate::geom::{Ray, Region};
-use crate::trace::memory::lend;
-use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Tables, Unsupported, advance, traverse};
-
-/// The kind of query.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum HitQuery {
-    /// The closest hit.
-    Closest,
-    /// The closest hit; the weights in the answer are 0.
-    Distance,
-    /// Whether there is a hit; distance and weights in the answer are meaningless.
-    Any,
-    /// Any hit.
-    AnyHit,
-}
-
-/// The hierarchy and the kind of query.
-#[derive(Clone, Copy)]
-pub(super) struct Job<'a, V: Precision> {
-    pub(super) bvh: &'a WideBvh<8, V>,
-    pub(super) tables: &'a Tables,
-    pub(super) level: Level,
-    pub(super) ask: HitQuery,
-}
+use crate::trace::memory::with_memory;
+use crate::wide::{Context, Cursor, Method, Scratch, Search, Supply, Unsupported, advance, traverse};
 
 /// The answers of several rays, by the numbers of the rays.
 ///
@@ -106,17 +82,6 @@ fn dispatch<'t, V: Precision, X: Context<'t, 8, WideBvh<8, V>>>(
     context: X,
 ) -> Result<X::Output, Unsupported> {
     if V::HAS_ALL_COPIES { method.dispatch(context) } else { Method::recorded(context) }
-}
-
-/// Calls a function with the cursors' memory of this thread.
-#[inline(always)]
-pub(in crate::trace) fn with_memory<R>(run: impl FnOnce(&mut [Scratch; 2]) -> R) -> R {
-    lend(&MEMORY, |memory| run(memory.get_or_insert_default()))
-}
-
-thread_local! {
-    /// Memory of two cursors.
-    static MEMORY: Cell<Option<Box<[Scratch; 2]>>> = const { Cell::new(None) };
 }
 
 /// A single ray.

@@ -4,14 +4,35 @@ use std::marker::PhantomData;
 
 use fearless_simd::{Simd, f32x8};
 
-use super::interleaved::HitQuery;
 use crate::bvh::{WideBvh, wide::WideTree};
-use crate::geom::lanes::{Hits, Lanes, NodeBoxes, Precision, TriangleRay};
+use crate::geom::lanes::{Hits, Lanes, Level, NodeBoxes, Precision, TriangleRay};
 use crate::geom::{Ray, Real as _};
 use crate::order::Flow;
 use crate::trace::Hit;
 use crate::tree::Node;
-use crate::wide::{Ranks, Search, Wanted};
+use crate::wide::{Ranks, Search, Tables, Wanted};
+
+/// The kind of query.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum HitQuery {
+    /// The closest hit.
+    Closest,
+    /// The closest hit; the weights in the answer are 0.
+    Distance,
+    /// Whether there is a hit; distance and weights in the answer are meaningless.
+    Any,
+    /// Any hit.
+    AnyHit,
+}
+
+/// The hierarchy and the kind of query.
+#[derive(Clone, Copy)]
+pub(super) struct Job<'a, V: Precision> {
+    pub(super) bvh: &'a WideBvh<8, V>,
+    pub(super) tables: &'a Tables,
+    pub(super) level: Level,
+    pub(super) ask: HitQuery,
+}
 
 /// The state of a ray in a wide hierarchy, exact. With `ANY`, the first hit ends it.
 ///

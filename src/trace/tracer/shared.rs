@@ -4,8 +4,7 @@
 use fearless_simd::{Simd, SimdBase, f32x8};
 
 use super::LaneRanks;
-use super::interleaved::{HitQuery, Job, with_memory};
-use super::search::{HitOf, WideSearch};
+use super::search::{HitOf, HitQuery, Job, WideSearch};
 use crate::bvh::WideBvh;
 use crate::bvh::wide::leaf_places;
 use crate::geom::lanes::{BoxPoint, Hits as _, LaneSet, NodeBoxes as _, Precision, TriangleRay, filled, with_baseline};
@@ -14,6 +13,7 @@ use crate::order::Flow;
 use crate::trace::counters::WideCounters;
 use crate::trace::filter::FilteredQuery;
 use crate::trace::leaf_primitives::LeafFilter;
+use crate::trace::memory::with_memory;
 use crate::trace::nearest::Around;
 use crate::trace::prepared_ray::PreparedRay;
 use crate::trace::{AllHitsQuery, Crossings, NearestPoint, NearestPoints, NextHitQuery};

@@ -6,12 +6,12 @@ use glam::DVec3;
 
 use crate::border::answer;
 use crate::error::Error;
-use crate::exact::Point;
+use crate::exact::{ExactRay, Point};
 use crate::filters::Filters;
 use crate::instances::Instances;
 use crate::memory::{In, Out, exclusive, shared};
 use crate::scene::Scene;
-use crate::types::{ExactRay, Filter, Hit, InstanceHit, Ray, STACKLESS_SERIAL};
+use crate::types::{Filter, Hit, InstanceHit, Ray, STACKLESS_SERIAL};
 use crate::ways::{self, Points, boxed};
 
 /// Creates an exact point from three numbers. `*point` is null after an error.

@@ -7,10 +7,10 @@ use glam::DVec3;
 use crate::border::answer;
 use crate::error::{Error, Fault};
 use crate::filters::Filters;
-use crate::instances::{Instances, Source};
+use crate::instances::{Instances, Object, Source};
 use crate::memory::{In, Out, exclusive, room, shared, values};
 use crate::scene::check_count;
-use crate::types::{Filter, InstanceHit, Object, Options, Ray};
+use crate::types::{Filter, InstanceHit, Options, Ray};
 
 /// Places scenes, and other instances, by affine maps. Instance i is `objects[indices[i]]`, placed by `transforms[i]`:
 /// three rows of four numbers, the translation last. Maps are exact: no transformed vertex is rounded. They must have an

@@ -1,9 +1,8 @@
 //! Comparison of a recording of a wide tree with the oracle's.
 
 use super::observe::{self, Back, LevelState, Log, Seen};
-use super::places::{Places, children};
-use super::text;
-use crate::{By, ExplainError, HashLookup, Next, Step};
+use super::places::{Places, name};
+use crate::{By, ExplainError, HashLookup, Next};
 use stackless_bvh::internals::wide::StateView;
 use stackless_bvh::tree::Node;
 use stackless_bvh::wide::{Method, Search, Tables, Topology, Tree, is_beyond};
@@ -130,7 +129,7 @@ impl<'a, const A: usize> Judge<'a, A> {
             if (open ^ pending) & !beyond == 0 {
                 return Ok(());
             }
-            let [expected, found] = [open, pending].map(text::group::<A>);
+            let [expected, found] = [open, pending].map(group::<A>);
             Err(("the pending set", expected, found))
         };
         match kept.words {
@@ -161,7 +160,7 @@ impl<'a, const A: usize> Judge<'a, A> {
                     return Err(("the number", format!("{place:?}"), number.to_string()));
                 }
                 if is_last && open & !beyond != 0 {
-                    return Err(("what is left", text::group::<A>(open), "nothing".to_owned()));
+                    return Err(("what is left", group::<A>(open), "nothing".to_owned()));
                 }
             }
         }
@@ -179,45 +178,6 @@ impl<'a, const A: usize> Judge<'a, A> {
         ExplainError::Differs { method, visit, what, expected, found }
     }
 
-    /// Converts a step to its form on the page.
-    pub(super) fn step(&self, steps: &[Seen], at: usize, postponed: &[(Node, u32)]) -> Step {
-        let seen = &steps[at];
-        let next = steps.get(at + 1).map(|following| self.next(seen, following));
-        let (text, clauses) = text::of(self, seen, next.as_ref(), postponed.is_empty());
-        let beyond = postponed.iter().filter(|&&(_, rank)| self.is_beyond(rank, seen.end));
-        let numbers = |nodes: &mut dyn Iterator<Item = &(Node, u32)>| nodes.map(|(node, _)| number(*node)).collect();
-        let words = text::Digits::of::<A>(&seen.levels);
-        // A leaf has no record, so the traversal is at its parent.
-        let at = if seen.node.is_leaf() { self.places.ancestors(seen.node)[0] } else { seen.node };
-        let links = (1..=self.links()).map(|up| {
-            let is_there = up <= self.places.depth(at);
-            is_there.then(|| number(self.tree.ancestor(at, up)))
-        });
-        Step {
-            node: number(seen.node),
-            restart: seen.is_restarting,
-            key: seen.key.map(|key| format!("{key:b}")),
-            trail: words.trail,
-            counter: None,
-            disjoint: None,
-            sets: words.sets,
-            rows: words.rows,
-            register: None,
-            links: links.collect(),
-            stack: numbers(&mut postponed.iter()),
-            beyond: numbers(&mut beyond.into_iter()),
-            decision: seen
-                .wanted
-                .as_ref()
-                .map(|wanted| text::decision(wanted.len(), children(self.tree, seen.node).count())),
-            wanted: numbers(&mut seen.wanted.iter().flatten()),
-            hit: seen.is_hit,
-            next,
-            text,
-            clauses,
-        }
-    }
-
     /// Returns the number of existing ancestors that the method reads from a record.
     pub(super) fn links(&self) -> u32 {
         let most = self.tree.levels();
@@ -228,7 +188,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         }
     }
 
-    fn next(&self, seen: &Seen, following: &Seen) -> Next {
+    pub(super) fn next(&self, seen: &Seen, following: &Seen) -> Next {
         let node = following.node;
         let descends = seen.wanted.iter().flatten().any(|&(child, _)| child == node);
         let mut way: Vec<Node> = seen.backs.iter().flat_map(|back| back.read.iter().copied()).collect();
@@ -264,7 +224,7 @@ impl<'a, const A: usize> Judge<'a, A> {
         (back.from != back.to).then(|| HashLookup::of(hash, &key, number))
     }
 
-    fn is_beyond(&self, rank: u32, end: u32) -> bool {
+    pub(super) fn is_beyond(&self, rank: u32, end: u32) -> bool {
         self.is_sorted && is_beyond::<A>(rank, end)
     }
 
@@ -281,18 +241,23 @@ impl<'a, const A: usize> Judge<'a, A> {
     }
 
     pub(super) fn name(&self, node: Node) -> String {
-        text::name::<A>(self.places.key(node))
+        name::<A>(self.places.key(node))
     }
 
     /// Returns the name of the node with a number.
     pub(super) fn name_of(&self, number: u32) -> String {
-        self.places.keys().nth(number as usize).map_or_else(String::new, text::name::<A>)
+        self.places.keys().nth(number as usize).map_or_else(String::new, name::<A>)
     }
 }
 
 /// Returns the number of a node on pages.
 pub(super) fn number(node: Node) -> u32 {
     node.index() as u32
+}
+
+/// Formats a set of slots as digits, slot 0 last.
+pub(super) fn group<const A: usize>(set: u32) -> String {
+    format!("{set:0A$b}")
 }
 
 /// Computes the postponed nodes at each visit. An answer postpones its children, and a visit is of the last postponed

@@ -58,3 +58,20 @@ pub(super) fn children<const A: usize>(tree: &Tree<A>, node: Node) -> impl Itera
     let set = if node.is_leaf() { 0 } else { tree.children(node) };
     (0..A as u32).filter(move |slot| set >> slot & 1 == 1).map(move |slot| (slot, tree.child(node, slot)))
 }
+
+/// Returns the name of a node: its key in base A, so each digit except the first is a slot. For A = 2 the name is
+/// decimal, as in binary trees.
+pub(super) fn name<const A: usize>(mut key: u128) -> String {
+    let mut digits = Vec::new();
+    let base = u128::from(base::<A>());
+    while key != 0 {
+        digits.extend(char::from_digit((key % base) as u32, 10));
+        key /= base;
+    }
+    digits.into_iter().rev().collect()
+}
+
+/// Returns the base of the names.
+pub(super) const fn base<const A: usize>() -> u32 {
+    if A == 2 { 10 } else { A as u32 }
+}

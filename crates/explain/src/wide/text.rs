@@ -1,45 +1,62 @@
 //! Descriptions of visits of wide trees, in words and digits.
 
-use super::judge::Judge;
+use super::judge::{Judge, group, number};
 use super::observe::{Back, LevelState, Seen};
+use super::places::children;
 use crate::text::looked_up;
-use crate::{By, Next};
+use crate::{By, Next, Step};
 use stackless_bvh::internals::wide::StateView;
 use stackless_bvh::tree::Node;
-use stackless_bvh::wide::Method;
+use stackless_bvh::wide::{Method, Topology as _};
 
-/// Returns the name of a node: its key in base A, so each digit except the first is a slot. For A = 2 the name is
-/// decimal, as in binary trees.
-pub(super) fn name<const A: usize>(mut key: u128) -> String {
-    let mut digits = Vec::new();
-    let base = u128::from(base::<A>());
-    while key != 0 {
-        digits.extend(char::from_digit((key % base) as u32, 10));
-        key /= base;
+impl<const A: usize> Judge<'_, A> {
+    /// Converts a step to its form on the page.
+    pub(super) fn step(&self, steps: &[Seen], at: usize, postponed: &[(Node, u32)]) -> Step {
+        let seen = &steps[at];
+        let next = steps.get(at + 1).map(|following| self.next(seen, following));
+        let (text, clauses) = of(self, seen, next.as_ref(), postponed.is_empty());
+        let beyond = postponed.iter().filter(|&&(_, rank)| self.is_beyond(rank, seen.end));
+        let numbers = |nodes: &mut dyn Iterator<Item = &(Node, u32)>| nodes.map(|(node, _)| number(*node)).collect();
+        let words = Digits::of::<A>(&seen.levels);
+        // A leaf has no record, so the traversal is at its parent.
+        let at = if seen.node.is_leaf() { self.places.ancestors(seen.node)[0] } else { seen.node };
+        let links = (1..=self.links()).map(|up| {
+            let is_there = up <= self.places.depth(at);
+            is_there.then(|| number(self.tree.ancestor(at, up)))
+        });
+        Step {
+            node: number(seen.node),
+            restart: seen.is_restarting,
+            key: seen.key.map(|key| format!("{key:b}")),
+            trail: words.trail,
+            counter: None,
+            disjoint: None,
+            sets: words.sets,
+            rows: words.rows,
+            register: None,
+            links: links.collect(),
+            stack: numbers(&mut postponed.iter()),
+            beyond: numbers(&mut beyond.into_iter()),
+            decision: seen.wanted.as_ref().map(|wanted| decision(wanted.len(), children(self.tree, seen.node).count())),
+            wanted: numbers(&mut seen.wanted.iter().flatten()),
+            hit: seen.is_hit,
+            next,
+            text,
+            clauses,
+        }
     }
-    digits.into_iter().rev().collect()
-}
-
-/// Returns the base of the names.
-pub(super) const fn base<const A: usize>() -> u32 {
-    if A == 2 { 10 } else { A as u32 }
-}
-
-/// Formats a set of slots as digits, slot 0 last.
-pub(super) fn group<const A: usize>(set: u32) -> String {
-    format!("{set:0A$b}")
 }
 
 /// The stored state of all levels, as digits.
 #[derive(Default)]
-pub(super) struct Digits {
-    pub(super) trail: Option<String>,
-    pub(super) sets: Option<String>,
-    pub(super) rows: Vec<(&'static str, Vec<String>)>,
+struct Digits {
+    trail: Option<String>,
+    sets: Option<String>,
+    rows: Vec<(&'static str, Vec<String>)>,
 }
 
 impl Digits {
-    pub(super) fn of<const A: usize>(levels: &[LevelState]) -> Self {
+    fn of<const A: usize>(levels: &[LevelState]) -> Self {
         let mut digits = Self::default();
         for LevelState { words, .. } in levels {
             match *words {
@@ -77,7 +94,7 @@ impl Digits {
 }
 
 /// Formats an answer.
-pub(super) fn decision(wanted: usize, children: usize) -> String {
+fn decision(wanted: usize, children: usize) -> String {
     format!("{wanted} of {}", counted(children))
 }
 
@@ -86,7 +103,7 @@ fn counted(children: usize) -> String {
 }
 
 /// Returns the description of a visit, and its clauses. `is_empty` means that the oracle has no postponed nodes.
-pub(super) fn of<const A: usize>(
+fn of<const A: usize>(
     judge: &Judge<'_, A>,
     seen: &Seen,
     next: Option<&Next>,

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::table::{Sizes, Table, half};
+use super::table::{Sizes, Table, half, mix_64, mixed};
 use super::trees::{comb, complete, depth_of, depths};
 use super::{Author, result};
 use crate::ask::{Build, LookupTable};
@@ -102,31 +102,6 @@ fn function() -> Profile {
         }
     }
     author.done()
-}
-
-/// Applies the bijection of a seed to a key.
-pub(crate) fn mixed(key: u64, seed: u64, narrow: bool) -> u64 {
-    if narrow { u64::from(mix_32(key as u32, seed as u32)) } else { mix_64(key, seed) }
-}
-
-/// Implements the 64-bit mix of `INTERPRETING.md`.
-pub(super) fn mix_64(key: u64, seed: u64) -> u64 {
-    let mut k = key ^ seed;
-    k ^= k >> 30;
-    k = k.wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    k ^= k >> 27;
-    k = k.wrapping_mul(0x94d0_49bb_1331_11eb);
-    k ^ k >> 31
-}
-
-/// Implements the 32-bit mix of `INTERPRETING.md`.
-fn mix_32(key: u32, seed: u32) -> u32 {
-    let mut k = key ^ seed;
-    k ^= k >> 16;
-    k = k.wrapping_mul(0x7feb_352d);
-    k ^= k >> 15;
-    k = k.wrapping_mul(0x846c_a68b);
-    k ^ k >> 16
 }
 
 fn fold() -> Profile {

@@ -23,7 +23,8 @@ use std::collections::HashSet;
 
 use serde_json::{Map, Value};
 
-pub(super) use hash::{folds, keys_of, mixed};
+pub(super) use hash::{folds, keys_of};
+pub(super) use table::mixed;
 pub(super) use trees::depth_if_tree;
 pub(super) use wide::levels_if_tree;
 
@@ -38,7 +39,7 @@ pub fn suite() -> Suite {
         trace::profiles(),
         resume::profiles(),
         ray::profiles(),
-        tolerant::profiles(),
+        tolerances::profiles(),
         wide::profiles(),
     ];
     let mut profiles: Vec<_> = levels.into_iter().flatten().collect();

@@ -4,14 +4,14 @@ use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
 
 use super::truth::{Hit, Mesh, Ray};
-use super::{Author, order, result, tolerances};
+use super::{Author, result};
 use crate::ask::Rays;
 use crate::text::{floats, hit};
 use crate::{Ask, Level, Profile, Query, Strength, Withdrawn};
 use stackless_bvh::generate::{Rng, Source, stress};
 
 pub(super) fn profiles() -> Vec<Profile> {
-    vec![grid(), exact(), invalid()]
+    vec![grid(), invalid()]
 }
 
 /// The maximum number of triangles of a case, so the suite stays small.
@@ -139,25 +139,21 @@ fn is_dyadic(x: f32) -> bool {
     (x * 4096.0).fract() == 0.0 && x.abs() < 4096.0
 }
 
-/// The small stress scenes.
-fn exact() -> Profile {
-    let mut author = Author::new(Level::Ray, "exact");
+/// Cases of `exact`: the small stress scenes, and triangles whose hits double precision finds badly.
+pub(super) fn scenes(author: &mut Author) {
     for case in stress::cases(RAYS).filter(|case| case.mesh.triangles().len() <= TRIANGLES) {
         let (mesh, rays) = scene(&case);
-        traced(&mut author, case.name, case.about, &mesh, &rays);
+        traced(author, case.name, case.about, &mesh, &rays);
     }
     for (seed, &(name, why, target)) in ZEROS.iter().enumerate() {
         let (mesh, rays) = zeros(&mut Rng::new(7000 + seed as u64), target);
-        traced(&mut author, name, why, &mesh, &rays);
+        traced(author, name, why, &mesh, &rays);
     }
     for (name, why, rows) in FAR_OFF {
         let [o, d, corners @ ..] = rows.map(|v| Vec3::from_array(v.map(f32::from_bits)));
         let mesh = Mesh { vertices: corners.map(|corner| corner.to_array()).to_vec(), triangles: vec![[0, 1, 2]] };
-        traced(&mut author, name, why, &mesh, &[ray(o, d, [0.0, f32::INFINITY])]);
+        traced(author, name, why, &mesh, &[ray(o, d, [0.0, f32::INFINITY])]);
     }
-    order::cases(&mut author);
-    tolerances::exact(&mut author);
-    author.done()
 }
 
 /// Rays and triangles found by hill climbing, whose rounding errors reach the given fraction of the bounds of [EXACT-4]

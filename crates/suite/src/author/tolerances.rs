@@ -1,16 +1,55 @@
 //! Level `ray`, cases where rounding is easily too coarse: ends of the interval, tiny and huge scenes, edges that are
 //! hit exactly, the low bits of coordinates, and boxes that a ray only touches.
+//!
+//! The profiles with these cases take the others from `ray`, `order` and `tolerant`.
 
 use glam::Vec3;
 
-use super::Author;
 use super::ray::{any, closest, from_to, ray};
 use super::tolerant::{
     RAYS, SIDES, WHOLE, asks, asks_near, clear_rays, cube, doubled, ghost, inside, middle_of_face, scaled, soup, sphere,
 };
 use super::truth::{Mesh, Ray};
-use crate::Query;
+use super::{Author, order, ray, tolerant};
+use crate::{Level, Profile, Query};
 use stackless_bvh::generate::Rng;
+
+/// Tolerances of the profiles in ulps, with the greatest condition number of their cases.
+const ULPS: [(&str, u32, f64); 2] = [("ulp-8", 8, 4.0), ("ulp-256", 256, 64.0)];
+
+pub(super) fn profiles() -> Vec<Profile> {
+    let ulps = ULPS.map(|(name, ulps, most)| near(name, ulps, most));
+    [exact(), watertight(), parity()].into_iter().chain(ulps).collect()
+}
+
+fn exact() -> Profile {
+    let mut author = Author::new(Level::Ray, "exact");
+    ray::scenes(&mut author);
+    order::cases(&mut author);
+    touches(&mut author);
+    author.done()
+}
+
+fn watertight() -> Profile {
+    let mut author = Author::new(Level::Ray, "watertight");
+    tolerant::watertight(&mut author);
+    of_closed(&mut author, Query::Any);
+    author.done()
+}
+
+fn parity() -> Profile {
+    let mut author = Author::new(Level::Ray, "parity");
+    tolerant::parity(&mut author);
+    of_closed(&mut author, Query::Parity);
+    author.done()
+}
+
+fn near(profile: &str, ulps: u32, most: f64) -> Profile {
+    let mut author = Author::new(Level::Ray, profile);
+    tolerant::near(&mut author, ulps, most);
+    of_soups(&mut author, ulps, most);
+    author.done()
+}
 
 /// Scenes in their size, or so small that distances are below every epsilon, or so large that they are beyond every
 /// clip.
@@ -21,7 +60,7 @@ const fn power(exponent: i32) -> f32 {
 }
 
 /// Cases of `watertight` and `parity`. Each ray crosses the mesh at most once, so both profiles have one answer.
-pub(super) fn of_closed(author: &mut Author, query: Query) {
+fn of_closed(author: &mut Author, query: Query) {
     for (i, (name, mesh)) in [("octahedron", sphere(0)), ("cube", cube()), ("ball-32", sphere(1))].iter().enumerate() {
         for (label, scale) in SCALES {
             let rng = &mut Rng::new(9300 + i as u64);
@@ -80,7 +119,7 @@ fn enlarged(&[x, y, z, dx, dy, dz, tmin, tmax]: &Ray, scale: f32) -> Ray {
 }
 
 /// Cases of `ulp-N`.
-pub(super) fn of_soups(author: &mut Author, ulps: u32, most: f64) {
+fn of_soups(author: &mut Author, ulps: u32, most: f64) {
     for (kind, (name, why)) in SOUPS.iter().enumerate() {
         for seed in 0..4 {
             let rng = &mut Rng::new(9400 + 10 * kind as u64 + seed);
@@ -118,7 +157,7 @@ fn with_ends(mesh: &Mesh, [x, y, z, dx, dy, dz, ..]: Ray, at: usize) -> Ray {
 }
 
 /// Cases of `exact`: boxes that a ray only touches, and triangles and gaps smaller than an epsilon.
-pub(super) fn exact(author: &mut Author) {
+fn touches(author: &mut Author) {
     let flat = |corners: [[f32; 3]; 3]| Mesh { vertices: corners.to_vec(), triangles: vec![[0, 1, 2]] };
     let mut both = |name: &str, why: &str, mesh: &Mesh, rays: &[Ray]| {
         closest(author, name, why, mesh, rays);
@@ -151,4 +190,67 @@ pub(super) fn exact(author: &mut Author) {
     let beside = |by: f32| [down(-by, 0.25), down(0.25, -by), down(0.5 + by, 0.5), down(0.5, 0.5 + by)];
     let why = "Rays 2^-22 outside of each edge miss; those as far inside hit.";
     both("beside-edges", why, &unit, &[beside(power(-22)), beside(-power(-22))].concat());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Ask, Expect};
+    use stackless_bvh::generate::Source as _;
+
+    /// Returns whether a point is inside, by the parity of crossings along rays away from edges.
+    fn is_within(mesh: &Mesh, from: Vec3) -> bool {
+        let rng = &mut Rng::new(1);
+        loop {
+            let way = Vec3::from_array([(); 3].map(|()| rng.below(1001) as f32 - 500.25));
+            let [a, b, c] = from.to_array();
+            let hits = mesh.hits(&[a, b, c, way.x, way.y, way.z, 0.0, f32::INFINITY]);
+            if hits.iter().all(|hit| hit.u > 1e-3 && hit.v > 1e-3 && hit.u + hit.v < 0.999) {
+                return hits.len() % 2 == 1;
+            }
+        }
+    }
+
+    /// Returns whether the point of a ray at a distance is inside.
+    fn within(mesh: &Mesh, ray: &Ray, t: f32) -> bool {
+        let [o, d] = [0, 3].map(|at| Vec3::new(ray[at], ray[at + 1], ray[at + 2]));
+        t.is_finite() && is_within(mesh, o + t * d)
+    }
+
+    /// The expectations that follow from the construction of rays equal the exact answers.
+    #[test]
+    fn the_truth_is_as_expected() {
+        let (mut asked, mut met) = (0, 0);
+        for profile in [watertight(), parity()] {
+            for case in &profile.cases {
+                let Ok(Ask::Ray(rays)) = Ask::of(&case.input) else { panic!("{}", case.id) };
+                let (vertices, origins) = rays.numbers().unwrap();
+                let mesh = Mesh { vertices, triangles: rays.triangles.clone() };
+                let Expect::Result(expected) = &case.expect else { panic!("{}", case.id) };
+                for (ray, expected) in origins.iter().zip(expected["hits"].as_array().unwrap()) {
+                    let truth = match rays.query {
+                        Query::Any => !mesh.hits(ray).is_empty(),
+                        _ => within(&mesh, ray, ray[6]) != within(&mesh, ray, ray[7]),
+                    };
+                    assert_eq!(truth, expected.as_bool().unwrap(), "{}", case.id);
+                    (asked, met) = (asked + 1, met + usize::from(truth));
+                }
+            }
+        }
+        assert!(asked > 700 && met > 300 && asked - met > 200, "{met} of {asked}");
+    }
+
+    #[test]
+    fn rays_of_ulps_are_enough() {
+        for (name, ulps, most) in ULPS {
+            let profile = near(name, ulps, most);
+            let hits = profile.cases.iter().flat_map(|case| match &case.expect {
+                Expect::Near(near) => near.hits.clone(),
+                _ => panic!("{}", case.id),
+            });
+            let hits: Vec<_> = hits.collect();
+            assert!(hits.len() > 300 && hits.iter().flatten().count() > 200, "{name}: {}", hits.len());
+            assert!(hits.iter().flatten().all(|hit| hit.prims.len() >= 2), "{name}");
+        }
+    }
 }

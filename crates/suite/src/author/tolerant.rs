@@ -8,8 +8,8 @@ use serde_json::json;
 
 use super::ray::{asked, from_to};
 use super::truth::{Hit, Mesh, Ray};
-use super::{Author, result, tolerances};
-use crate::{Ask, Expect, Level, Near, NearHit, Profile, Query};
+use super::{Author, result};
+use crate::{Ask, Expect, Near, NearHit, Query};
 use stackless_bvh::generate::{Rng, Source};
 
 /// Rays per case.
@@ -17,14 +17,6 @@ pub(super) const RAYS: usize = 16;
 
 /// The interval of an unlimited ray.
 pub(super) const WHOLE: [f32; 2] = [0.0, f32::INFINITY];
-
-/// Tolerances of the profiles in ulps, with the greatest condition number of their cases.
-const ULPS: [(&str, u32, f64); 2] = [("ulp-8", 8, 4.0), ("ulp-256", 256, 64.0)];
-
-pub(super) fn profiles() -> Vec<Profile> {
-    let ulps = ULPS.map(|(name, ulps, most)| near(name, ulps, most));
-    [watertight(), parity()].into_iter().chain(ulps).collect()
-}
 
 /// Closed meshes around the origin that contain all points closer than a quarter: names and scales.
 fn closed() -> Vec<(&'static str, Mesh)> {
@@ -117,23 +109,21 @@ fn radius(mesh: &Mesh) -> f32 {
     e.dot(e).sqrt()
 }
 
-fn watertight() -> Profile {
-    let mut author = Author::new(Level::Ray, "watertight");
+/// Cases of `watertight`.
+pub(super) fn watertight(author: &mut Author) {
     for (i, (name, mesh)) in closed().into_iter().enumerate() {
         let rng = &mut Rng::new(9000 + i as u64);
         let leaks = out_to_edges(rng, &mesh);
         let why = "From within a closed mesh towards edges and corners: whatever is rounded, something is hit.";
-        asks(&mut author, &format!("{name}-leaks"), why, &mesh, &leaks, Query::Any, |_| true);
+        asks(author, &format!("{name}-leaks"), why, &mesh, &leaks, Query::Any, |_| true);
         let through: Vec<Ray> =
             (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), inside(rng, &mesh), WHOLE)).collect();
         let why = "From outside towards the middle of a closed mesh.";
-        asks(&mut author, &format!("{name}-through"), why, &mesh, &through, Query::Any, |_| true);
+        asks(author, &format!("{name}-through"), why, &mesh, &through, Query::Any, |_| true);
         let ghosts: Vec<Ray> = (0..RAYS).map(|at| ghost(rng, &mesh, at)).collect();
         let why = "Past the mesh, away from it, or ended before it: nothing is hit, and nothing is near.";
-        asks(&mut author, &format!("{name}-ghosts"), why, &mesh, &ghosts, Query::Any, |_| false);
+        asks(author, &format!("{name}-ghosts"), why, &mesh, &ghosts, Query::Any, |_| false);
     }
-    tolerances::of_closed(&mut author, Query::Any);
-    author.done()
 }
 
 /// Draws a ray that misses the sphere around the mesh by at least a fiftieth of its size.
@@ -153,8 +143,8 @@ pub(super) fn ghost(rng: &mut Rng, mesh: &Mesh, at: usize) -> Ray {
     }
 }
 
-fn parity() -> Profile {
-    let mut author = Author::new(Level::Ray, "parity");
+/// Cases of `parity`.
+pub(super) fn parity(author: &mut Author) {
     for (i, (name, mesh)) in closed().into_iter().enumerate() {
         let rng = &mut Rng::new(9100 + i as u64);
         let faces: Vec<Ray> = (0..RAYS)
@@ -164,14 +154,14 @@ fn parity() -> Profile {
             })
             .collect();
         let why = "From within through the middle of faces, or past the mesh: no edge is near.";
-        asks(&mut author, &format!("{name}-faces"), why, &mesh, &faces, Query::Parity, |at| at % 2 == 0);
+        asks(author, &format!("{name}-faces"), why, &mesh, &faces, Query::Parity, |at| at % 2 == 0);
         let within = out_to_edges(rng, &mesh);
         let why = "From within, towards edges and corners: each crossing counts once.";
-        asks(&mut author, &format!("{name}-within"), why, &mesh, &within, Query::Parity, |_| true);
+        asks(author, &format!("{name}-within"), why, &mesh, &within, Query::Parity, |_| true);
         let around: Vec<Ray> =
             (0..RAYS).map(|_| from_to(outside(rng, &mesh, 2.0), on_edge(rng, &mesh), WHOLE)).collect();
         let why = "From outside, towards edges and corners, which may be grazed: in as often as out.";
-        asks(&mut author, &format!("{name}-around"), why, &mesh, &around, Query::Parity, |_| false);
+        asks(author, &format!("{name}-around"), why, &mesh, &around, Query::Parity, |_| false);
         // A hollow mesh, with origins between its walls and in the hollow.
         let hollow = with_hollow(&mesh);
         let between = |rng: &mut Rng| inside(rng, &mesh) + Vec3::X * (0.5 * extent(&mesh).x);
@@ -183,10 +173,8 @@ fn parity() -> Profile {
             .collect();
         let why = "A hollow mesh: odd between its walls, even in the hollow.";
         let is_between = |at: usize| at.is_multiple_of(2);
-        asks(&mut author, &format!("{name}-hollow"), why, &hollow, &mixed, Query::Parity, is_between);
+        asks(author, &format!("{name}-hollow"), why, &hollow, &mixed, Query::Parity, is_between);
     }
-    tolerances::of_closed(&mut author, Query::Parity);
-    author.done()
 }
 
 /// Adds an image of the mesh inside it, an eighth as large.
@@ -215,17 +203,14 @@ pub(super) fn asks(
 }
 
 /// Cases of distances: the hits are away from edges and well conditioned.
-fn near(profile: &str, ulps: u32, most: f64) -> Profile {
-    let mut author = Author::new(Level::Ray, profile);
+pub(super) fn near(author: &mut Author, ulps: u32, most: f64) {
     for seed in 0..24 {
         let rng = &mut Rng::new(9200 + seed);
         let mesh = doubled(&soup(rng, 4 + 2 * seed as usize, 20));
         let rays = clear_rays(rng, &mesh, most);
         let why = "Hits far from edges; each triangle is there twice, and either will do.";
-        asks_near(&mut author, &format!("soup-{seed}"), why, &mesh, &rays, ulps);
+        asks_near(author, &format!("soup-{seed}"), why, &mesh, &rays, ulps);
     }
-    tolerances::of_soups(&mut author, ulps, most);
-    author.done()
 }
 
 /// Draws rays without close decisions. Four in five hit, because misses are easy.
@@ -315,48 +300,6 @@ fn sum_of_sizes(a: DVec3, b: DVec3) -> DVec3 {
 mod tests {
     use super::*;
 
-    /// Returns whether a point is inside, by the parity of crossings along rays away from edges.
-    fn is_within(mesh: &Mesh, from: Vec3) -> bool {
-        let rng = &mut Rng::new(1);
-        loop {
-            let way = Vec3::from_array([(); 3].map(|()| rng.below(1001) as f32 - 500.25));
-            let [a, b, c] = from.to_array();
-            let hits = mesh.hits(&[a, b, c, way.x, way.y, way.z, 0.0, f32::INFINITY]);
-            if hits.iter().all(|hit| hit.u > 1e-3 && hit.v > 1e-3 && hit.u + hit.v < 0.999) {
-                return hits.len() % 2 == 1;
-            }
-        }
-    }
-
-    /// Returns whether the point of a ray at a distance is inside.
-    fn within(mesh: &Mesh, ray: &Ray, t: f32) -> bool {
-        let [o, d] = [0, 3].map(|at| Vec3::new(ray[at], ray[at + 1], ray[at + 2]));
-        t.is_finite() && is_within(mesh, o + t * d)
-    }
-
-    /// The expectations that follow from the construction of rays equal the exact answers.
-    #[test]
-    fn the_truth_is_as_expected() {
-        let (mut asked, mut met) = (0, 0);
-        for profile in [watertight(), parity()] {
-            for case in &profile.cases {
-                let Ok(Ask::Ray(rays)) = Ask::of(&case.input) else { panic!("{}", case.id) };
-                let (vertices, origins) = rays.numbers().unwrap();
-                let mesh = Mesh { vertices, triangles: rays.triangles.clone() };
-                let Expect::Result(expected) = &case.expect else { panic!("{}", case.id) };
-                for (ray, expected) in origins.iter().zip(expected["hits"].as_array().unwrap()) {
-                    let truth = match rays.query {
-                        Query::Any => !mesh.hits(ray).is_empty(),
-                        _ => within(&mesh, ray, ray[6]) != within(&mesh, ray, ray[7]),
-                    };
-                    assert_eq!(truth, expected.as_bool().unwrap(), "{}", case.id);
-                    (asked, met) = (asked + 1, met + usize::from(truth));
-                }
-            }
-        }
-        assert!(asked > 700 && met > 300 && asked - met > 200, "{met} of {asked}");
-    }
-
     /// A thin shell, whose sides only exact arithmetic separates. A floating-point tracer may report either side first.
     #[test]
     fn hits_that_are_near_are_admitted() {
@@ -374,19 +317,5 @@ mod tests {
         near(8, &[3, 2, 4, 1]);
         near(9, &[3, 2, 4, 1, 0]);
         assert_eq!(near_hit(&[], 8), None);
-    }
-
-    #[test]
-    fn rays_of_ulps_are_enough() {
-        for (name, ulps, most) in ULPS {
-            let profile = near(name, ulps, most);
-            let hits = profile.cases.iter().flat_map(|case| match &case.expect {
-                Expect::Near(near) => near.hits.clone(),
-                _ => panic!("{}", case.id),
-            });
-            let hits: Vec<_> = hits.collect();
-            assert!(hits.len() > 300 && hits.iter().flatten().count() > 200, "{name}: {}", hits.len());
-            assert!(hits.iter().flatten().all(|hit| hit.prims.len() >= 2), "{name}");
-        }
     }
 }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use dashu_int::{IBig, UBig};
 
-use super::predicates::Pairs;
+use super::sum::Pairs;
 
 /// An exact sum of products of three doubles of any size: a fixed-point number with the range of such products.
 /// `[EXACT-8]`

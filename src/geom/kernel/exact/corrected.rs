@@ -6,8 +6,7 @@
 
 use glam::DVec3;
 
-use super::double::USUAL;
-use super::filter::Errors;
+use super::filter::{Errors, USUAL};
 use super::{two_product, two_sum};
 use crate::geom::frame::power_of_two;
 

@@ -17,16 +17,14 @@
 //! 4. Exact sums ([`accumulator`](super::accumulator)), for numbers of any size.
 
 use std::cmp::Ordering;
-use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
 use super::corrected::Corrected;
-use super::filter::{Determinants, Errors};
+use super::filter::{Determinants, Errors, USUAL, has_usual_edges};
 use super::fine;
 use super::order::Crossing;
 use super::{Certainty, is_within, parity, predicates, quotient};
-use crate::geom::frame::power_of_two;
 use crate::geom::kernel::Kernel;
 use crate::geom::{Ray, Region, Triangle};
 
@@ -55,9 +53,6 @@ pub struct Exact64 {
     /// Whether the greatest components of the ray and of the scene are [`USUAL`].
     is_usual: bool,
 }
-
-/// Numbers that never over- or underflow here.
-pub(in crate::geom) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 impl Kernel for Exact64 {
     type Vector = DVec3;
@@ -205,11 +200,6 @@ impl Exact64 {
             if has_room { fine::FineDeterminants::new(corners, o, d).placed(self.interval()) } else { Certainty::Open };
         placed.or_else(|| quotient::distance(corners, o, d, self.interval()))
     }
-}
-
-/// Returns whether the longest edge of a triangle neither over- nor underflows.
-pub(super) fn has_usual_edges([a, b, c]: &[DVec3; 3]) -> bool {
-    USUAL.contains(&(b - a).abs().max((c - a).abs()).max_element())
 }
 
 #[cfg(test)]

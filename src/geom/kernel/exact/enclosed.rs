@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use super::double::{USUAL, has_usual_edges};
-use super::filter::{Determinants, Errors};
+use super::filter::{Determinants, Errors, USUAL, has_usual_edges};
 use super::order::Crossing;
 use super::{fine, is_within, placed, predicates, quotient};
 use crate::geom::{EnclosedRay, Interval, Real, Region, Triangle, Vector};

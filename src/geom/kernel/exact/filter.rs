@@ -1,12 +1,18 @@
 //! The stages of double precision.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec3;
 
 use super::super::{DETERMINANT, DISTANCE, OFF, OFF_SIGN, QUOTIENT, QUOTIENT_FACTOR, SIGN};
 use crate::geom::Region;
+use crate::geom::frame::power_of_two;
 
 /// Half of the distance from 1 to the next double.
 const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// Numbers that never over- or underflow here.
+pub(in crate::geom) const USUAL: RangeInclusive<f64> = power_of_two(-200)..=power_of_two(200);
 
 /// The determinants of a ray and a triangle. `[EXACT-1]`
 ///
@@ -194,6 +200,11 @@ const fn exponent(x: f64) -> i32 {
 fn greatest(&[v0, v1, v2]: &[DVec3; 3], o: DVec3, d: DVec3) -> [f64; 3] {
     let greatest = |v: DVec3| v.abs().max_element();
     [greatest(d), greatest(o - v0), greatest(v1 - v0).max(greatest(v2 - v0))]
+}
+
+/// Returns whether the longest edge of a triangle neither over- nor underflows.
+pub(super) fn has_usual_edges([a, b, c]: &[DVec3; 3]) -> bool {
+    USUAL.contains(&(b - a).abs().max((c - a).abs()).max_element())
 }
 
 #[cfg(test)]

@@ -10,9 +10,8 @@ use std::ops::Add as _;
 use glam::DVec3;
 
 use super::Certainty;
-use super::double::{USUAL, has_usual_edges};
-use super::filter::{Determinants, Errors};
-use super::predicates::Pairs;
+use super::filter::{Determinants, Errors, USUAL, has_usual_edges};
+use super::sum::Pairs;
 use crate::geom::Real;
 use crate::geom::fine::{Fine, shortened};
 use crate::geom::frame::power_of_two;

@@ -6,11 +6,8 @@ use glam::DVec3;
 
 use super::accumulator::Accumulator;
 use super::fine;
-use super::sum::difference;
+use super::sum::{Pairs, difference};
 use crate::geom::frame::power_of_two;
-
-/// A vector whose components are sums of two numbers.
-pub(super) type Pairs = [[f64; 2]; 3];
 
 /// Returns the sign of the edge function d . ((to - o) x (from - o)): by twice the digits of a double, if they have
 /// room, and by an exact sum if those do not decide.

@@ -1,5 +1,8 @@
 //! Sums and differences of two floats, and products, as two floats without rounding.
 
+/// A vector whose components are sums of two numbers.
+pub(super) type Pairs = [[f64; 2]; 3];
+
 /// Returns the rounded sum, and its rounding error (Knuth).
 #[inline]
 pub(in crate::geom) fn two_sum(a: f64, b: f64) -> (f64, f64) {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use glam::{IVec3, Vec3};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 use stackless_bvh::bvh::{Bvh, WideBvh};
 use stackless_bvh::geom::{Ends, ExactPoint, Mesh, Ray, Triangle};
 use stackless_bvh::internals::trace::{Truth, reflect};
@@ -15,7 +14,7 @@ use stackless_check::Shard;
 
 use super::Args;
 use super::sets::rng_of;
-use super::total::SecondaryFound;
+use super::total::{EXACT, SecondaryFound, SecondaryRow};
 use crate::Outcome;
 use crate::camera::Size;
 use crate::input::Scene;
@@ -118,56 +117,6 @@ impl Bounce {
         let point = ExactPoint::met(&self.primary, &Triangle(self.corners))?;
         let ray = point.ray(self.direction, self.tmax, Ends::Open).ok()?;
         Some((tracer.any(&ray), point))
-    }
-}
-
-/// The start point that promises no errors.
-pub(super) const EXACT: &str = "exact point";
-
-/// The errors of one kind of start point.
-#[derive(Serialize, Deserialize)]
-pub(super) struct SecondaryRow {
-    pub(super) scene: String,
-    pub(super) start: String,
-    pub(super) rays: u64,
-    /// Wrongly in shadow.
-    false_shadows: u64,
-    /// Wrongly lit.
-    false_light: u64,
-    /// The first error of [`EXACT`], with the number of its pixel.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(super) offence: Option<Numbered<String>>,
-}
-
-impl SecondaryRow {
-    fn new(scene: &str, start: &str, answers: &[bool], truth: &[bool]) -> Self {
-        let count = |is_blocked: bool| {
-            answers.iter().zip(truth).filter(|(answer, truth)| **answer == is_blocked && answer != truth).count() as u64
-        };
-        let (false_shadows, false_light) = (count(true), count(false));
-        let (scene, start) = (scene.to_owned(), start.to_owned());
-        Self { scene, start, rays: truth.len() as u64, false_shadows, false_light, offence: None }
-    }
-
-    pub(super) fn is_same(&self, other: &Self) -> bool {
-        (&self.scene, &self.start) == (&other.scene, &other.start)
-    }
-
-    pub(super) fn add(&mut self, other: Self) {
-        self.rays = self.rays.saturating_add(other.rays);
-        self.false_shadows = self.false_shadows.saturating_add(other.false_shadows);
-        self.false_light = self.false_light.saturating_add(other.false_light);
-        self.offence = Numbered::first(self.offence.take(), other.offence);
-    }
-
-    pub(super) const fn wrong(&self) -> u64 {
-        self.false_shadows.saturating_add(self.false_light)
-    }
-
-    pub(super) fn cells(&self) -> Vec<String> {
-        let share = |count: u64| format!("{count} ({:.2e})", count as f64 / self.rays.max(1) as f64);
-        let [shadows, light] = [self.false_shadows, self.false_light].map(share);
-        vec![self.scene.clone(), self.start.clone(), self.rays.to_string(), shadows, light]
     }
 }
 

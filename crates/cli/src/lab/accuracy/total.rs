@@ -4,11 +4,10 @@ use serde::{Deserialize, Serialize};
 use stackless_bvh::internals::trace::Accuracy;
 
 use super::rows::Row;
-use super::secondary::{EXACT, SecondaryRow};
 use super::stages::Stages;
 use super::tables;
 use crate::output::{self, Block, count, say, table};
-use crate::record::{Counts, Run, add_rows, expect};
+use crate::record::{Counts, Numbered, Run, add_rows, expect};
 
 /// Results of the measurement.
 #[derive(Default, Serialize, Deserialize)]
@@ -69,6 +68,56 @@ impl Counts for Found {
 
     fn is_empty(&self) -> bool {
         self.rows.iter().all(|row| row.rays == 0)
+    }
+}
+
+/// The start point that promises no errors.
+pub(super) const EXACT: &str = "exact point";
+
+/// The errors of one kind of start point.
+#[derive(Serialize, Deserialize)]
+pub(super) struct SecondaryRow {
+    pub(super) scene: String,
+    pub(super) start: String,
+    pub(super) rays: u64,
+    /// Wrongly in shadow.
+    pub(super) false_shadows: u64,
+    /// Wrongly lit.
+    pub(super) false_light: u64,
+    /// The first error of [`EXACT`], with the number of its pixel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) offence: Option<Numbered<String>>,
+}
+
+impl SecondaryRow {
+    pub(super) fn new(scene: &str, start: &str, answers: &[bool], truth: &[bool]) -> Self {
+        let count = |is_blocked: bool| {
+            answers.iter().zip(truth).filter(|(answer, truth)| **answer == is_blocked && answer != truth).count() as u64
+        };
+        let (false_shadows, false_light) = (count(true), count(false));
+        let (scene, start) = (scene.to_owned(), start.to_owned());
+        Self { scene, start, rays: truth.len() as u64, false_shadows, false_light, offence: None }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        (&self.scene, &self.start) == (&other.scene, &other.start)
+    }
+
+    fn add(&mut self, other: Self) {
+        self.rays = self.rays.saturating_add(other.rays);
+        self.false_shadows = self.false_shadows.saturating_add(other.false_shadows);
+        self.false_light = self.false_light.saturating_add(other.false_light);
+        self.offence = Numbered::first(self.offence.take(), other.offence);
+    }
+
+    pub(super) const fn wrong(&self) -> u64 {
+        self.false_shadows.saturating_add(self.false_light)
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let share = |count: u64| format!("{count} ({:.2e})", count as f64 / self.rays.max(1) as f64);
+        let [shadows, light] = [self.false_shadows, self.false_light].map(share);
+        vec![self.scene.clone(), self.start.clone(), self.rays.to_string(), shadows, light]
     }
 }
 

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use self::reference::Reference;
 use self::trace::{drawn, traced, traces};
 use self::trees::{chain, flat, random};
+use self::words::words;
 use super::resume::moments;
 use super::{Author, result};
 use crate::ask::{WideChildren, WideWalk};
@@ -20,7 +21,7 @@ use crate::{Ask, Level, Profile, Start};
 pub(crate) use trees::levels_if_tree;
 
 pub(super) fn profiles() -> Vec<Profile> {
-    vec![traces(), invalid(), states(), keys(), deep_keys()]
+    vec![usual(), invalid(), states(), keys(), deep_keys()]
 }
 
 const WIDTHS: [u32; 3] = [2, 4, 8];
@@ -32,6 +33,13 @@ const GREATEST: u32 = u32::MAX;
 fn left(walk: &WideWalk, run: &Reference<'_>, from: usize) -> Vec<(&'static str, Value)> {
     let hit = walk.hits.as_ref().map(|_| ("hit", json!(run.best)));
     [("events", json!(run.events[from..]))].into_iter().chain(hit).collect()
+}
+
+fn usual() -> Profile {
+    let mut author = Author::new(Level::Trace, "wide");
+    traces(&mut author);
+    words(&mut author);
+    author.done()
 }
 
 fn invalid() -> Profile {

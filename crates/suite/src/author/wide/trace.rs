@@ -2,26 +2,22 @@
 
 use super::reference::Reference;
 use super::trees::{chain, flat, levels_if_tree, random, told};
-use super::words::words;
 use super::{GREATEST, WIDTHS, left};
+use crate::Ask;
 use crate::ask::WideWalk;
 use crate::author::{Author, result};
-use crate::{Ask, Level, Profile};
 
-pub(super) fn traces() -> Profile {
-    let mut author = Author::new(Level::Trace, "wide");
-    small(&mut author);
-    ends(&mut author);
-    leaves_first(&mut author);
+pub(super) fn traces(author: &mut Author) {
+    small(author);
+    ends(author);
+    leaves_first(author);
     for seed in 0..96 {
         let (name, why, walk) = drawn(seed, 3 + seed as u32 / 3);
-        traced(&mut author, &name, why, walk);
+        traced(author, &name, why, walk);
     }
     for slots in WIDTHS {
-        chains(&mut author, slots);
+        chains(author, slots);
     }
-    words(&mut author);
-    author.done()
 }
 
 /// One node, or two levels.
