@@ -7,7 +7,7 @@ use stackless_bvh::trace::{Hit as Found, InstanceFilter, InstanceHit, InstanceTr
 
 use crate::error::{Element, Fault};
 use crate::filters::OneFilter;
-use crate::memory::room;
+use crate::memory::{PIECE, room};
 use crate::queries::{Rays, Real, checked, hit, is_parallel};
 use crate::scene::{Scene, shared};
 use crate::types::Hit;
@@ -169,7 +169,7 @@ fn each<Y: Sync, A: Send>(
 ) -> Result<Vec<A>, Fault> {
     let mut answers = room(ways.len())?;
     if is_parallel(flags)? {
-        shared(pool, || ways.par_iter().map(&answer).collect_into_vec(&mut answers));
+        shared(pool, || ways.par_iter().with_max_len(PIECE).map(&answer).collect_into_vec(&mut answers));
     } else {
         answers.extend(ways.iter().map(answer));
     }

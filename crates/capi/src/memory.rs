@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use crate::error::{Element, Fault};
 
 /// Number of elements that a thread takes at once, as in the library.
-const PIECE: usize = 256;
+pub(crate) const PIECE: usize = 256;
 
 /// A value at any address. Its alignment is 1.
 #[repr(C, packed)]

@@ -206,7 +206,7 @@ impl<'a> Hits<'a, DVec3> for LazyExact64<'a> {
     }
 
     #[inline(always)]
-    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Nearest64) -> Option<(f64, [f64; 2])> {
+    fn whole<S: Simd>(&mut self, simd: S, nearest: Nearest64) -> Option<(f64, [f64; 2])> {
         let [lo, hi] = nearest.ends;
         if lo < hi
             && let Corrected { t: Some(t), weights: Some(weights) } = self.corrected(simd)

@@ -42,17 +42,15 @@ pub struct LazyExact<'a> {
     ray: &'a Ray,
     region: &'a Region,
     exact: Option<ExactOnce>,
-    /// The block and the lane of the hit so far.
-    found: Option<(&'a Block, usize)>,
-    /// The nearest hit so far.
-    met: Option<Met>,
+    /// The block and the lane of the hit so far; and the hit, unless it is any.
+    found: Option<(&'a Block, usize, Option<Met>)>,
 }
 
 impl<'a> LazyExact<'a> {
     /// Creates the test for this ray. `region` must contain all triangles of the tests.
     #[inline(always)]
     pub const fn new(ray: &'a Ray, region: &'a Region) -> Self {
-        Self { ray, region, exact: None, found: None, met: None }
+        Self { ray, region, exact: None, found: None }
     }
 
     /// Returns the ray.
@@ -65,12 +63,6 @@ impl<'a> LazyExact<'a> {
     #[inline(always)]
     pub fn get(&mut self) -> &Exact {
         &self.once().exact
-    }
-
-    /// Returns the triangle of the last hit.
-    #[inline]
-    pub(crate) fn found(&self) -> Option<Triangle> {
-        self.found.map(|(block, lane)| block.triangle(lane))
     }
 
     #[inline(always)]
@@ -156,8 +148,7 @@ impl<'a> LazyExact<'a> {
             let prim = block.prims[lane];
             if t < nearest.t || t == nearest.t && prim != nearest.prim && self.comes_first(&shape, prim) {
                 nearest = Nearest { t, prim };
-                self.found = Some((block, lane));
-                self.met = Some(met);
+                self.found = Some((block, lane, Some(met)));
             }
         }
         nearest
@@ -167,7 +158,7 @@ impl<'a> LazyExact<'a> {
     #[cold]
     #[inline(never)]
     fn comes_first(&mut self, shape: &Triangle, prim: u32) -> bool {
-        let Some((block, lane)) = self.found else { return true };
+        let Some((block, lane, _)) = self.found else { return true };
         self.get().order((shape, prim), (&block.triangle(lane), block.prims[lane])).is_lt()
     }
 
@@ -178,7 +169,7 @@ impl<'a> LazyExact<'a> {
     fn blocking(&mut self, block: &'a Block, lanes: u32) -> Option<u32> {
         for lane in LaneSet(lanes) {
             if self.get().blocks(&block.triangle(lane)) {
-                self.found = Some((block, lane));
+                self.found = Some((block, lane, None));
                 return Some(block.prims[lane]);
             }
         }
@@ -243,9 +234,9 @@ impl<'a> Hits<'a, Vec3> for LazyExact<'a> {
     }
 
     #[inline(never)]
-    fn whole<S: Simd, const ANY: bool>(&mut self, _: S, _: Nearest) -> Option<(f32, [f32; 2])> {
-        let (shape, met) = (self.found()?, self.met);
-        let exact = self.once();
+    fn whole<S: Simd>(&mut self, _: S, _: Nearest) -> Option<(f32, [f32; 2])> {
+        let (block, lane, met) = self.found?;
+        let (shape, exact) = (block.triangle(lane), self.once());
         let met = met.or_else(|| exact.distance(&shape, f32::INFINITY))?;
         Some((met.t, exact.weights(&met, &shape)))
     }

@@ -118,8 +118,8 @@ pub trait Hits<'a, V: Precision>: Debug {
     /// behind a pointer is not in registers, nor is the search that holds it.
     fn distance<S: Simd>(&mut self, simd: S, nearest: Self::Nearest) -> V::Real;
 
-    /// Returns distance and weights of the last hit; `ANY` if by [`any`](Self::any).
-    fn whole<S: Simd, const ANY: bool>(&mut self, simd: S, nearest: Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
+    /// Returns distance and weights of the last hit.
+    fn whole<S: Simd>(&mut self, simd: S, nearest: Self::Nearest) -> Option<(V::Real, [V::Real; 2])>;
 }
 
 impl Precision for Vec3 {

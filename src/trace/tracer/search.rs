@@ -80,7 +80,7 @@ impl<'a, 'm, S: Simd, V: Precision, const ANY: bool> WideSearch<'a, 'm, S, V, AN
             HitQuery::Any => Some(Hit { prim, t: zero, u: zero, v: zero }),
             HitQuery::Distance => Some(Hit { prim, t: self.hits.distance(self.simd, self.nearest), u: zero, v: zero }),
             HitQuery::Closest | HitQuery::AnyHit => {
-                let (t, [u, v]) = self.hits.whole::<S, ANY>(self.simd, self.nearest)?;
+                let (t, [u, v]) = self.hits.whole(self.simd, self.nearest)?;
                 Some(Hit { prim, t, u, v })
             }
         }

@@ -127,7 +127,7 @@ fn ask<S: Simd>(
     let (filter, none) = (hits.filter(simd), hits.none());
     let nearest = hits.nearest(simd, &filter, blocks, count, none);
     let found = LazyExact64::prim(&nearest).map(|prim| (prim, hits.distance(simd, nearest)));
-    let whole = hits.whole::<S, false>(simd, nearest);
+    let whole = hits.whole(simd, nearest);
     assert_eq!(found.map(|(_, t)| t), whole.map(|(t, _)| t).filter(|_| found.is_some()));
     (found, hits.any(simd, &filter, blocks, count).map(|hit| hit.prim))
 }
